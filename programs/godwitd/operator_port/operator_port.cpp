@@ -135,6 +135,7 @@ tl::expected<void, std::string> port::open(const settings& wanted, route_list ro
     p.tls = *std::move(loaded);
   }
   p.routes.emplace(std::move(routes), wanted.hosts, wanted.uses_tls);
+  p.on_certificate = std::move(by.on_certificate);
   p.guard(std::move(by));
   p.clients = std::make_shared<client_table>(wanted.max_clients, wanted.max_clients_an_address);
   io::http::server_hooks hooks;
@@ -152,7 +153,6 @@ tl::expected<void, std::string> port::open(const settings& wanted, route_list ro
     p.server.reset();
     return tl::make_unexpected(listening.error().message());
   }
-  p.on_certificate = std::move(by.on_certificate);
   if (p.tls)
     p.look_later();
   p.thread.start();

@@ -8,7 +8,7 @@
 #include "actors/operator_bridge/audit_table.hpp"
 #include "runtime/simulation/simulated_journal.hpp"
 
-namespace godwit::tests {
+namespace godwit::audit_support {
 
 class audit_rows {
 public:
@@ -37,4 +37,4 @@ public:
   io::sqlite::database db;
 };
 
-} // namespace godwit::tests
+} // namespace godwit::audit_support

@@ -80,7 +80,7 @@ struct process {
   }
   std::vector<audit_row> audit() {
     world.run_until_idle();
-    return tests::audit_rows(*on).read({0, 100}).rows;
+    return audit_support::audit_rows(*on).read({0, 100}).rows;
   }
   runtime::simulated_disk* on;
   std::vector<operators::command> heard;

@@ -41,7 +41,7 @@ protected:
 
   audit_bounds bounds_{.acts = 600, .refusals = 350, .strangers = 50, .trimmed_each = 16};
   std::uint64_t last_ = 0;
-  tests::audit_rows table_;
+  audit_support::audit_rows table_;
 };
 
 TEST_F(audit_table_of, a_row_is_read_as_it_was_written) {

@@ -186,7 +186,7 @@ public:
     desk = world.actors().add<operator_desk>(
         {.name = "operator_desk"}, {},
         desk_peers{bridge, points, failsafe, [this] { return pictured; },
-                   [this](const auto& wanted, auto then) { then(godwit::tests::audit_rows(disk).read(wanted)); }},
+                   [this](const auto& query, auto then) { then(godwit::audit_support::audit_rows(disk).read(query)); }},
         answers);
     const auto flight = world.actors().add<flight_stand_in>({.name = "flight"}, {}, &is_in_flight, &missions);
     const auto uploads = world.actors().add<mission_desk>(
@@ -281,7 +281,7 @@ public:
   [[nodiscard]] std::uint32_t rows() {
     world.run_until_idle();
     std::uint32_t result = 0;
-    for (const auto& each : godwit::tests::audit_rows(disk).read({0, 200}).rows)
+    for (const auto& each : godwit::audit_support::audit_rows(disk).read({0, 200}).rows)
       result += each.count;
     return result;
   }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "actors/domain/mission/read.hpp"
+#include "io/http/tls.hpp"
 #include "programs/godwit-sim/missions/answer_table.hpp"
 #include "programs/godwit-sim/missions/control_answers.hpp"
 #include "programs/godwit-sim/missions/delivered_table.hpp"

@@ -46,7 +46,7 @@ service_server::service_server(boost::asio::io_context& io, io::http::server_set
                .tls =
                    [this, &faults] {
                      const bool is_wrong = faults.next_is_wrong_host() && tls_.wrong_host;
-                     return (is_wrong ? tls_.wrong_host : tls_.usual).get();
+                     return is_wrong ? tls_.wrong_host : tls_.usual;
                    }}) {}
 
 tl::expected<void, std::string> service_server::listen() {

@@ -7,22 +7,23 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 
 #include <boost/asio/io_context.hpp>
+#include <boost/asio/ssl/context.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <tl/expected.hpp>
 
 #include "io/http/server/server.hpp"
-#include "io/http/tls.hpp"
 #include "programs/godwit-sim/missions/faulty_service.hpp"
 
 namespace godwit::sim::missions {
 
 struct server_tls {
-  io::http::tls_context usual;      // none: plain HTTP
-  io::http::tls_context wrong_host; // none: there is no such fault
+  std::shared_ptr<boost::asio::ssl::context> usual;      // none: plain HTTP
+  std::shared_ptr<boost::asio::ssl::context> wrong_host; // none: there is no such fault
 };
 
 class service_server {

@@ -210,53 +210,6 @@ TEST(operator_port_tls, a_certificate_or_key_that_can_not_be_used_is_named_and_t
   EXPECT_NE(not_matching.opened.error().find("none.key"), std::string::npos) << not_matching.opened.error();
 }
 
-TEST(operator_port_tls, reads_a_certificate_anew_when_it_changes_or_is_asked_to_and_keeps_it_when_it_can_not) {
-  const test::scratch folder;
-  auto wanted = secure_port::wanted({});
-  wanted.certificate_file = folder.file("port.pem");
-  wanted.key_file = folder.file("port.key");
-  const auto put = [&](const io::http::server_identity& who) {
-    ASSERT_TRUE(io::http::store_secret_file(wanted.key_file, who.key.revealed(), io::http::errc::invalid_settings));
-    std::ofstream(folder.file("next.pem")) << who.certificate;
-    std::filesystem::rename(folder.file("next.pem"), wanted.certificate_file);
-  };
-  const auto spoken = [&](const std::string& url, const std::string& certificate) {
-    std::ofstream(folder.file("ca.pem")) << certificate;
-    io::http::settings as_client;
-    as_client.base_url = url;
-    as_client.ca_file = folder.file("ca.pem");
-    std::promise<bool> heard;
-    auto client = io::http::client::open(as_client).value();
-    (void)client->send({}, [&](const io::http::result<io::http::response>& end) { heard.set_value(end.has_value()); });
-    return heard.get_future().get();
-  };
-  const auto first = io::http::make_identity({"localhost"}).value();
-  const auto second = io::http::make_identity({"localhost"}).value();
-  put(first);
-  secure_port served(wanted);
-  ASSERT_TRUE(served.opened) << served.opened.error();
-  EXPECT_TRUE(spoken(served.url, first.certificate));
-  put(second);
-  auto now = served.next_news();
-  if (!now) // between the two files
-    now = served.next_news();
-  EXPECT_EQ(now, io::http::fingerprint_of(second.certificate));
-  EXPECT_TRUE(spoken(served.url, second.certificate));
-  EXPECT_FALSE(spoken(served.url, first.certificate));
-  std::ofstream(wanted.certificate_file) << "no PEM";
-  now = served.next_news();
-  ASSERT_FALSE(now);
-  EXPECT_NE(now.error().find("stays as it was"), std::string::npos) << now.error();
-  EXPECT_TRUE(spoken(served.url, second.certificate));
-  put(first);
-  now = served.next_news();
-  if (!now)
-    now = served.next_news();
-  ASSERT_TRUE(now) << now.error();
-  served.port.read_certificate_anew();
-  EXPECT_EQ(served.next_news(), io::http::fingerprint_of(first.certificate)) << "SIGHUP is answered, too";
-}
-
 TEST_F(open_port, a_port_that_is_taken_is_named_with_the_remedy) {
   class port second;
   const auto opened = second.open({.host = "127.0.0.1", .port = number, .hosts = {}}, {});

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "io/eyes/messages.hpp"
+#include "programs/godwitd/child_policies.hpp"
 #include "programs/godwitd/operator_port/camera_api.hpp"
 #include "programs/godwitd/operator_port/operator_routes.hpp"
 #include "programs/godwitd/operator_port/page_files.hpp"

@@ -4,6 +4,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "actors/domain/mission/version.hpp"
 #include "actors/domain/uuid/uuid.hpp"
 #include "actors/executor/station_plan.hpp"
 #include "io/mavlink/enums.hpp"
@@ -214,7 +215,7 @@ durable_effects take(state& s, const station_fence_taken& happened, std::int64_t
     return {};
   auto fenced = *uploaded;
   fenced.revision = ++s.station->revision;
-  fenced.geofences = happened.fences;
+  mission::put_fences(fenced, happened.fences);
   s.arrived = std::move(fenced);
   return {};
 }

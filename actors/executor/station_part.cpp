@@ -6,6 +6,7 @@
 
 #include "actors/domain/mission/commands/item_class.hpp"
 #include "actors/domain/mission/convert/conversion.hpp"
+#include "actors/domain/mission/version.hpp"
 #include "actors/domain/uuid/uuid.hpp"
 #include "actors/executor/station_plan.hpp"
 
@@ -58,7 +59,7 @@ std::optional<station_plan_taken> part_of_plan(const state& s, const item_range&
     items.insert(items.begin(), whole.items[*take_off]);
     result.plan.places.insert(result.plan.places.begin(), places[*take_off]);
   }
-  result.mission.geofences = s.station_fences;
+  mission::put_fences(result.mission, s.station_fences);
   const bool is_whole = wanted.first == 0 && wanted.last + 1 >= s.station->items;
   result.plan.part = is_whole ? std::nullopt : std::optional(station_part{wanted.first, wanted.last, whole, places});
   return result;

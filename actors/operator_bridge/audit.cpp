@@ -102,7 +102,9 @@ void audit::forget_idle(instant now) {
 
 void audit::write(effects& out, share& of, audit_row row, instant now) {
   of.left -= 1;
-  if (of.newest && are_alike(*of.newest, row) && now.monotonic_ns - of.newest_ns < alike_within_ns) {
+  // What was done stands in its order: alike acts are one row only while nothing has come in between.
+  const bool may_join = of.newest && (kind_of(row) != audit_kind::act || of.newest->number == last_row_);
+  if (may_join && are_alike(*of.newest, row) && now.monotonic_ns - of.newest_ns < alike_within_ns) {
     row.number = of.newest->number;
     row.count += of.newest->count;
   } else {

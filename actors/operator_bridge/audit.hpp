@@ -6,7 +6,8 @@
 //           └─ stranger ── 10 rows at once, then one a second of all of them
 //
 // What comes beyond is counted, and the count is written as soon as there is room: nobody can fill the disk, and none
-// is forgotten. Rows alike within a minute are one row. How many are kept: audit_table.hpp. Pure. Thread: one owner.
+// is forgotten. Rows alike within a minute are one row; of acts only where nothing came in between. How many are kept:
+// audit_table.hpp. Pure. Thread: one owner.
 #pragma once
 
 #include <cstddef>

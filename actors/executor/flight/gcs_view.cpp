@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "actors/domain/mission/rules.hpp"
+#include "actors/domain/mission/version.hpp"
 #include "actors/executor/station_part.hpp"
 #include "actors/executor/station_plan.hpp"
 #include "io/mavlink/enums.hpp"
@@ -173,7 +174,7 @@ effects gcs_view::take_fence(const std::vector<io::mavlink::mission_item_int>& i
     return {announce{"the fence is not taken: " + fences.error(), true}};
   if (const auto* uploaded = uploaded_mission(flight_.s)) {
     auto fenced = *uploaded;
-    fenced.geofences = *fences;
+    mission::put_fences(fenced, *fences);
     if (const auto problems = mission::broken_rules(fenced); !problems.empty())
       return {announce{"the fence is not taken: " + problems.front().message(), true}};
   }

@@ -240,6 +240,8 @@ void session::upgrade(const responder::taker& then) {
     return abort();
   ++parts_->counters.upgraded;
   auto taken = std::move(connection_);
+  if (const auto place = taken->place().lock())
+    place->is_websocket = true;
   const auto self = shared_from_this(); // it has what the client said early
   end();
   then(std::move(taken), std::string(reader_.unread()));

@@ -44,7 +44,7 @@ struct effect {
     if (found == std::string::npos)
       return put_property(to, R"("schema_version":"3.0.0")");
     const auto begin = found + key.size();
-    body.replace(begin, body.find('"', begin) - begin, "2.0.0");
+    body.replace(begin, body.find('"', begin) - begin, "3.0.0");
   }
 };
 

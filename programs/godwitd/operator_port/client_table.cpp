@@ -52,9 +52,13 @@ void client_table::end_session(const std::string& session) {
   std::vector<std::function<void()>> ended;
   {
     const std::lock_guard guard(mutex_);
-    for (const auto* each : places_)
-      if (each->session == session && each->end_connection)
+    for (auto* each : places_) {
+      if (each->session != session)
+        continue;
+      each->session.clear();
+      if (each->is_websocket && each->end_connection)
         ended.push_back(each->end_connection);
+    }
   }
   for (const auto& each : ended)
     each();

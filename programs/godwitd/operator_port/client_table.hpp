@@ -35,7 +35,8 @@ public:
 
   // Null: there is no room, and nobody gives way.
   [[nodiscard]] std::shared_ptr<io::http::client_place> admit(const boost::asio::ip::address& from);
-  // Ends all connections that have come with SESSION.
+  // Ends the WebSockets that have come with SESSION. Its other connections, one of which may wait for the answer to a
+  // log-out, give way as those without a session.
   void end_session(const std::string& session);
 
   [[nodiscard]] std::size_t now() const;

@@ -361,6 +361,23 @@ TEST_P(flight_by_station, with_a_service_fences_and_rally_points_of_a_station_ar
   }
 }
 
+TEST_P(flight_by_station, a_circle_is_a_fence_before_and_after_the_plan) {
+  for (const bool is_plan_first : {true, false}) {
+    flight_world world(by_stations(GetParam()));
+    const auto items = station_items(GetParam());
+    auto circle = tests::waypoint_at(GetParam(), 0, 0);
+    circle.command = number(mav_cmd::nav_fence_circle_inclusion);
+    circle.param1 = 500;
+    if (is_plan_first)
+      world.station_says(taken(items));
+    world.station_says(taken(tests::numbered({circle}), mav_mission_type::fence));
+    EXPECT_EQ(world.judged().back().verdict, ground_port::plan_verdict::taken) << world.story();
+    if (!is_plan_first)
+      world.station_says(taken(items));
+    ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  }
+}
+
 // As MAVProxy uploads a .fen file, and as ArduPilot takes it.
 TEST_P(flight_by_station, a_fence_is_taken_without_the_return_point_that_it_begins_with_and_that_is_said) {
   flight_world world(by_stations(GetParam()));

@@ -87,6 +87,19 @@ TEST(operator_audit, rows_alike_within_a_minute_are_one) {
   EXPECT_EQ(desk.audit.rbegin()->second.at_ns, desk.now.wall_ns - s);
 }
 
+TEST(operator_audit, acts_alike_with_another_in_between_are_two) {
+  bridge_desk desk;
+  const auto anna = desk.pilot();
+  const auto before = desk.audit.size();
+  for (const auto act : {control_act::give, control_act::take, control_act::give}) {
+    (void)desk.control(anna, act);
+    desk.pass(s);
+  }
+  ASSERT_EQ(desk.audit.size(), before + 3);
+  EXPECT_EQ(desk.audit.rbegin()->second.what, "give control");
+  EXPECT_EQ(desk.audit.rbegin()->second.count, 1U);
+}
+
 TEST(operator_audit, is_read_by_operators) {
   bridge_desk desk;
   const auto anna = desk.log_in("anna");

@@ -32,7 +32,7 @@ const personalities = {
   px4: { plan: flight, first: 0, make_ready: async () => {} }, // arms on MISSION_START
   ardupilot: {
     // Its item 0 is home; behind a landing it would not say that the mission is complete.
-    plan: [item(nav_waypoint, 0, 0, 0), ...flight.slice(0, -1), { ...item(nav_return, 0, 0, 0), frame: 0 }],
+    plan: [item(nav_waypoint, 0, 0, 0), ...flight.slice(0, -1), { ...item(nav_return, 0, 0, 0), frame: 0, x: 0, y: 0 }] /* which keeps no place of a return */,
     first: 1,
     async make_ready(station) {
       const guided = 4;

@@ -72,8 +72,8 @@ TEST_F(missions_options, a_plan_is_taken_when_nothing_of_it_is_lost_or_when_that
     "globalPlanAltitudeMode":1,"plannedHomePosition":[47.3977,8.5456,488],"items":[
     {"type":"SimpleItem","autoContinue":true,"command":16,"doJumpId":1,"frame":3,"AMSLAltAboveTerrain":null,
      "Altitude":40,"AltitudeMode":1,"params":[0,0,0,null,47.3985,8.5465,40]},
-    {"type":"SimpleItem","autoContinue":true,"command":93,"doJumpId":2,"frame":2,
-     "params":[10,0,0,0,0,0,0]}]}})";
+    {"type":"SimpleItem","autoContinue":true,"command":208,"doJumpId":2,"frame":2,
+     "params":[2,0,0,0,0,0,0]}]}})";
   given.missions = {write("lossy.plan", plan)};
   const auto refused = read(given);
   ASSERT_FALSE(refused);

@@ -35,7 +35,7 @@ TEST(convert_command, what_can_not_be_carried_over_is_refused_and_nothing_is_wri
   const scratch folder;
   const auto out = folder.file("out.json");
   testing::internal::CaptureStderr();
-  EXPECT_EQ(run_convert({data + "survey_camera.plan", out}, false), exit_code::failed);
+  EXPECT_EQ(run_convert({data + "unknown_properties.plan", out}, false), exit_code::failed);
   const auto said = testing::internal::GetCapturedStderr();
   EXPECT_NE(said.find("--allow-partial"), std::string::npos) << said;
   EXPECT_FALSE(std::filesystem::exists(out));
@@ -46,7 +46,7 @@ TEST(convert_command, a_partial_conversion_is_written_and_says_what_is_missing) 
   const scratch folder;
   const auto out = folder.file("out.json");
   testing::internal::CaptureStderr();
-  EXPECT_EQ(run_convert({data + "survey_camera.plan", out}, true), exit_code::ok);
+  EXPECT_EQ(run_convert({data + "unknown_properties.plan", out}, true), exit_code::ok);
   EXPECT_NE(testing::internal::GetCapturedStderr().find("is without this"), std::string::npos);
   EXPECT_TRUE(load_mission_file(out, false));
 }

@@ -424,11 +424,13 @@ TEST(ring_trace, a_folder_that_goes_away_costs_records_and_health_until_it_is_ba
   const std::filesystem::path folder = scratch.path("trace");
   recorder r(folder);
   std::filesystem::remove_all(folder);
+  std::ofstream(folder) << "in the way of a new folder";
   for (std::uint64_t i = 0; i < 10; ++i)
     r.record(login{}, r.alice, i);
   EXPECT_TRUE(wait_for([&] { return r.trace->counts().unwritten >= 10; }));
   EXPECT_TRUE(wait_for([&] { return r.trace_health().colour == health_colour::yellow; }));
   EXPECT_NE(r.trace_health().reason.find(folder.string()), std::string::npos) << r.trace_health().reason;
+  std::filesystem::remove(folder);
   std::filesystem::create_directories(folder);
   EXPECT_TRUE(wait_for([&] { // tried again once a second
     r.record(login{"back", {}, 0}, r.alice);

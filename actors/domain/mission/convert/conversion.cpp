@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "actors/domain/mission/read.hpp"
+#include "actors/domain/mission/version.hpp"
 #include "actors/domain/mission/write.hpp"
 
 namespace godwit::mission {
@@ -103,8 +104,7 @@ import_result finished(const document& given, loss_list losses, const import_opt
         conversion_error{bounded({document_errc::wrong_form, {std::move(no_items)}}, source), std::move(losses)});
   }
   auto mission = given;
-  if (needs_version_2(mission))
-    mission.schema_version = schema_version_2;
+  raise_version(mission);
   // By way of its text: what an importer gives away has passed the same checks as what the service sends.
   auto checked = read<document>(to_text(is_fence_alone ? with_an_item(mission) : mission));
   if (!checked) {

@@ -123,17 +123,21 @@ TEST(client_table, an_address_that_has_its_share_displaces_its_own_alone) {
   EXPECT_FALSE(other.has_ended);
 }
 
-TEST(client_table, all_connections_of_a_session_end_with_it) {
+TEST(client_table, all_websockets_of_a_session_end_with_it_and_who_logs_out_gets_an_answer) {
   const auto table = std::make_shared<client_table>(8, 8);
   held anna(table, "10.0.0.1");
   held also(table, "10.0.0.2");
+  held asks(table, "10.0.0.2");
   held bob(table, "10.0.0.1");
-  anna.place->prove("s1");
-  also.place->prove("s1");
+  for (auto* each : {&anna, &also, &bob})
+    each->place->is_websocket = true;
+  for (auto* each : {&anna, &also, &asks})
+    each->place->prove("s1");
   bob.place->prove("s2");
   table->end_session("s1");
   EXPECT_TRUE(anna.has_ended);
   EXPECT_TRUE(also.has_ended);
+  EXPECT_FALSE(asks.has_ended);
   EXPECT_FALSE(bob.has_ended);
 }
 

@@ -1,0 +1,23 @@
+// The version of the contract that a mission states, when something is added to it. Thread: pure.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "messages/mission/document.hpp"
+
+namespace godwit::mission {
+
+// A mission states version 2 when something in it needs that.
+inline void raise_version(document& value) {
+  if (needs_version_2(value) && value.schema_version.starts_with("1."))
+    value.schema_version = schema_version_2;
+}
+
+// Fences that come on their own take the place of those that the mission has.
+inline void put_fences(document& value, std::vector<geofence> fences) {
+  value.geofences = std::move(fences);
+  raise_version(value);
+}
+
+} // namespace godwit::mission

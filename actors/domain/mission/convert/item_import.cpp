@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <ranges>
 #include <utility>
 
 #include "actors/domain/mission/commands/item_class.hpp"
@@ -208,8 +207,7 @@ void item_importer::resolve_jumps() {
   for (const auto& [index, from] : jumps_)
     if (std::ranges::find(nowhere, index) != nowhere.end())
       lose(from, "jump to item " + number_text(from.param(1)), "the mission has no such item", left_out);
-  for (const auto index : std::views::reverse(nowhere))
-    erase(index);
+  std::for_each(nowhere.rbegin(), nowhere.rend(), [this](std::size_t index) { erase(index); });
   jumps_.clear();
 }
 

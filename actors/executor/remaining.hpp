@@ -32,7 +32,7 @@ namespace godwit::executor {
 // same way: behind the same items. Else 0. The line that was begun is not flown.
 [[nodiscard]] std::uint32_t lines_flown(const state& s, const mission::document& mission, std::size_t index);
 
-// The vehicle item with which the plan on the vehicle ends: the last one that moves it, without what lies behind a
+// The vehicle item with which the plan on the vehicle ends: the last one that moves it, without what comes after a
 // landing and is kept for a failure. Null: there is no plan.
 [[nodiscard]] const io::mavlink::mission_item_int* last_flown_item(const state& s);
 

@@ -28,12 +28,6 @@ constexpr double off_the_ground_m = 1;
 // Where a rover stops that was told to return.
 constexpr double at_home_m = 8;
 
-bool is_vtol(io::mavlink::mav_type type) {
-  using io::mavlink::mav_type;
-  return type == mav_type::vtol_tailsitter_duorotor || type == mav_type::vtol_tailsitter_quadrotor ||
-         type == mav_type::vtol_tiltrotor || type == mav_type::vtol_fixedrotor;
-}
-
 } // namespace
 
 // An ArduPlane that takes off vertically calls itself an aeroplane unless it is told otherwise: both are known as the
@@ -48,7 +42,7 @@ std::optional<mission::vehicle_profile> vehicle_view::profile() const {
   case vehicle_class::multirotor:
     return is_px4 ? px4_multicopter : arducopter;
   case vehicle_class::fixed_wing:
-    return is_px4 ? (is_vtol_ ? px4_vtol : px4_fixed_wing) : quadplane;
+    return is_px4 ? (is_plain_wing_ ? px4_fixed_wing : px4_vtol) : quadplane;
   case vehicle_class::rover:
     return is_px4 ? px4_rover : ardurover;
   case vehicle_class::unknown:
@@ -68,7 +62,7 @@ void vehicle_view::take(const io::mavlink::heartbeat& m, std::int64_t now_ns) {
   if (!mode_)
     heard_since_ns_ = now_ns;
   owner_ = flight::owner_of(m);
-  is_vtol_ = is_vtol(static_cast<io::mavlink::mav_type>(m.type));
+  is_plain_wing_ = m.type == io::mavlink::number(io::mavlink::mav_type::fixed_wing);
   mode_ = flight::mode_of(m);
   is_armed_ = io::mavlink::is_armed(m);
   is_critical_ = m.system_status == io::mavlink::number(io::mavlink::mav_state::critical);

@@ -121,7 +121,7 @@ private:
   vehicle_link::line_findings line_;
   std::optional<flight::flight_mode> mode_;
   flight::mode_owner owner_;
-  bool is_vtol_ = false;
+  bool is_plain_wing_ = false; // of what has wings: it does not take off vertically
   bool is_armed_ = false;
   bool is_critical_ = false;
   std::uint64_t heartbeats_ = 0;

@@ -116,6 +116,10 @@ struct return_home {
 };
 
 inline constexpr std::size_t command_params = 7;
+// Of those, where it has a place.
+inline constexpr std::size_t latitude_param = 4;
+inline constexpr std::size_t longitude_param = 5;
+inline constexpr std::size_t altitude_param = 6;
 
 // One item of the vehicle, as it is: nothing is added to it or left out. Parameters 5 and 6 are degrees in the frames
 // that have latitude and longitude.

@@ -29,6 +29,11 @@ constexpr auto enum_names(progress_kind) {
                                    {progress_kind::aborted, "aborted"}});
 }
 
+// It is the last word about an item: nothing more comes of it.
+[[nodiscard]] constexpr bool settles_item(progress_kind kind) {
+  return kind == progress_kind::reached || kind == progress_kind::passed || kind == progress_kind::skipped;
+}
+
 struct progress_report {
   std::string mission_id; // UUID
   std::int32_t revision = 1;

@@ -49,20 +49,17 @@ void add_repeated_ids(std::span<const item> items, const std::string& pointer, p
 
 // In a frame with degrees, of a command that has a place.
 void add_command_place(const command_item& each, const std::string& pointer, problems_list& problems) {
-  const auto* const row = command_of(each.command);
-  if (row == nullptr || !row->has_place ||
-      io::mavlink::coordinates_of(each.frame) != io::mavlink::coordinate_kind::global)
+  if (!has_place(each) || io::mavlink::coordinates_of(each.frame) != io::mavlink::coordinate_kind::global)
     return;
-  constexpr std::size_t latitude = 4;
   constexpr int limits[] = {90, 180};
   for (std::size_t i = 0; i < std::size(limits); ++i) {
-    const auto& value = each.params[latitude + i];
+    const auto& value = each.params[latitude_param + i];
     if (!value || !(std::abs(*value) > limits[i]))
       continue;
     std::string number;
     io::append_json_number(number, *value);
     const auto limit = std::to_string(limits[i]);
-    problems.push_back({pointer_to(pointer_to(pointer, "params"), latitude + i), "is " + number,
+    problems.push_back({pointer_to(pointer_to(pointer, "params"), latitude_param + i), "is " + number,
                         "a number from -" + limit + " to " + limit});
   }
 }

@@ -71,9 +71,7 @@ void add_report_problems(const progress_report& report, const std::string& point
   add_time_problem(report.at, pointer_to(pointer, "at"), problems);
   if (report.item_id.has_value() != report.item_index.has_value())
     problems.push_back({pointer, "has only one of item_id and item_index", "both or none"});
-  const bool needs_item = report.kind == progress_kind::reached || report.kind == progress_kind::passed ||
-                          report.kind == progress_kind::skipped;
-  if (needs_item && !report.item_id)
+  if (settles_item(report.kind) && !report.item_id)
     problems.push_back({pointer, "does not say which item", "item_id and item_index"});
 }
 

@@ -64,7 +64,7 @@ bool flight_end::end_flight(effects& out, instant now) {
   return true;
 }
 
-// Its last message came behind the end of the flight, or when the next plan was brought already.
+// Its last message came after the end of the flight, or when the next plan was brought already.
 bool flight_end::end_late(effects& out) {
   const auto& s = flight_.s;
   const auto& open = s.progress.mission;

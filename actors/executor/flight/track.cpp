@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "actors/domain/geo/plane.hpp"
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/frame_meaning.hpp"
 
@@ -29,18 +30,11 @@ double metres_between(const geo::point& a, const geo::point& b) {
 // From WHERE to the straight between two positions.
 double metres_to_straight(const geo::point& where, const geo::point& from, const geo::point& to) {
   const double cosine = std::cos(where.latitude_deg * std::numbers::pi / 180);
-  const auto east = [&](const geo::point& each) {
-    return metres_of_degree * cosine * std::remainder(each.longitude_deg - where.longitude_deg, 360.0);
+  const auto seen_from_there = [&](const geo::point& each) {
+    return geo::local_point{metres_of_degree * cosine * std::remainder(each.longitude_deg - where.longitude_deg, 360.0),
+                            metres_of_degree * (each.latitude_deg - where.latitude_deg)};
   };
-  const auto north = [&](const geo::point& each) {
-    return metres_of_degree * (each.latitude_deg - where.latitude_deg);
-  };
-  const double along_east = east(to) - east(from);
-  const double along_north = north(to) - north(from);
-  const double square = along_east * along_east + along_north * along_north;
-  const double share = square > 0 ? -(east(from) * along_east + north(from) * along_north) / square : 0;
-  const double at = std::clamp(share, 0.0, 1.0);
-  return std::hypot(east(from) + at * along_east, north(from) + at * along_north);
+  return geo::distance_m(geo::local_point{0, 0}, geo::segment{seen_from_there(from), seen_from_there(to)});
 }
 
 // The nearest that it can have been on the way between two positions.

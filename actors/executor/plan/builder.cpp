@@ -25,7 +25,7 @@ plan_writer writer_behind(const plan_writer& done, const plan_setting& setting) 
   return {setting, done.here(), false, done.speed_mps()};
 }
 
-// Behind a landing: what a mission holds that came as commands is flown next only if it begins with a take-off. All
+// After a landing: what a mission holds that came as commands is flown next only if it begins with a take-off. All
 // else is kept for a failure, or for another approach; on ArduPilot, whose mission ends with a landing. What a PX4 does
 // with it was not seen, and so it has none.
 bool begins_branch(const mission::document& mission, std::size_t index, const plan_setting& setting) {

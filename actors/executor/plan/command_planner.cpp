@@ -45,28 +45,20 @@ bool is_loiter(const mission::command_item& item) {
 
 // Of a camera trigger, what ends it; nothing: none is known.
 std::optional<mission::command_item> switched_off(const mission::command_item& item) {
-  constexpr std::uint16_t trigger_distance = 206;
-  constexpr std::uint16_t start_capture = 2000;
-  constexpr std::uint16_t stop_capture = 2001;
-  constexpr std::uint16_t trigger_control = 2003;
   constexpr std::uint8_t no_position = 2;
-  const auto first = item.command == start_capture ? item.params[0] : std::optional<double>(0);
+  const bool captures = item.command == number(mav_cmd::image_start_capture);
+  const auto first = captures ? item.params[0] : std::optional<double>(0);
   mission::command_item result{item.id, item.command, no_position, {first, 0, 0, 0, 0, 0, 0}, true};
-  switch (item.command) {
-  case start_capture:
-    result.command = stop_capture;
+  switch (static_cast<mav_cmd>(item.command)) {
+  case mav_cmd::image_start_capture:
+    result.command = number(mav_cmd::image_stop_capture);
     return result;
-  case trigger_distance:
-  case trigger_control:
+  case mav_cmd::do_set_cam_trigg_dist:
+  case mav_cmd::do_trigger_control:
     return result;
   default:
     return std::nullopt;
   }
-}
-
-bool has_place_row(const mission::command_item& item) {
-  const auto* const row = mission::command_of(item.command);
-  return row != nullptr && row->has_place;
 }
 
 } // namespace
@@ -91,7 +83,7 @@ item_planner::outcome item_planner::plan(const mission::command_item& item) {
   if (auto problem = why_not_command(item))
     return problem;
   if (answer_to(item) == item_answer::skipped) {
-    if (mission::moves_vehicle(item) && has_place_row(item))
+    if (mission::moves_vehicle(item) && mission::has_place(item))
       writer_.note("Item '" + item.id + "' (" + name_of(item) +
                    ") is passed over by this kind of vehicle: its place is not visited.");
     writer_.add_verbatim(command_item_of(item, setting_), item_role::unflown);
@@ -116,9 +108,9 @@ item_planner::outcome item_planner::move(const mission::command_item& item) {
   }
   if (auto problem = why_not_flown())
     return problem;
-  if (has_place_row(item))
+  if (mission::has_place(item))
     return go_to(item);
-  if (item.params[6])
+  if (item.params[mission::altitude_param])
     writer_.climb_to(altitude_of(item, setting_)); // NAV_CONTINUE_AND_CHANGE_ALT
   writer_.add_verbatim(command_item_of(item, setting_), item_role::flown);
   return std::nullopt;
@@ -183,7 +175,7 @@ std::optional<mission::position> item_planner::position_of(const mission::item& 
       item);
 }
 
-// The way that the jump makes is judged as well: from here to the first place behind its target.
+// The way that the jump makes is judged as well: from here to the first place after its target.
 item_planner::outcome item_planner::plan(const mission::jump& item) {
   const auto target =
       std::ranges::find_if(mission_.items, [&](const mission::item& each) { return mission::id_of(each) == item.to; });

@@ -28,7 +28,7 @@ struct fence_list {
 
 [[nodiscard]] fence_list fence_items(const std::vector<mission::geofence>& fences);
 
-// Behind a fence, where the mission has one; a fence without items needs none.
+// After a fence, where the mission has one; a fence without items needs none.
 void append_return_point(fence_list& to, const mission::document& mission);
 
 [[nodiscard]] std::vector<io::mavlink::mission_item_int> rally_items(const mission::document& mission);

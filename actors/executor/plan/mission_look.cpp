@@ -6,11 +6,15 @@
 
 #include "actors/domain/mission/commands/item_class.hpp"
 #include "actors/executor/plan/change_ids.hpp"
+#include "io/mavlink/enums.hpp"
 #include "io/mavlink/frame_meaning.hpp"
 
 namespace godwit::executor::plan {
 
 namespace {
+
+using io::mavlink::mav_cmd;
+using io::mavlink::number;
 
 std::optional<mission::vertex> place_of(const mission::item& each) {
   return std::visit(
@@ -36,25 +40,19 @@ bool is_command(const mission::item& each) { return std::holds_alternative<missi
 
 // IMAGE_START_CAPTURE of one picture sets nothing for later.
 bool is_single_picture(const mission::item& each) {
-  constexpr std::uint16_t start_capture = 2000;
   const auto* const command = std::get_if<mission::command_item>(&each);
-  return command != nullptr && command->command == start_capture && command->params[2] == 1;
+  return command != nullptr && command->command == number(mav_cmd::image_start_capture) && command->params[2] == 1;
 }
 
 bool switches_off(const mission::item& each) {
-  constexpr std::uint16_t roi_none = 197;
-  constexpr std::uint16_t trigger_distance = 206;
-  constexpr std::uint16_t trigger_interval = 214;
-  constexpr std::uint16_t stop_capture = 2001;
-  constexpr std::uint16_t trigger_control = 2003;
   const auto& command = std::get<mission::command_item>(each);
-  switch (command.command) {
-  case roi_none:
-  case stop_capture:
+  switch (static_cast<mav_cmd>(command.command)) {
+  case mav_cmd::do_set_roi_none:
+  case mav_cmd::image_stop_capture:
     return true;
-  case trigger_distance:
-  case trigger_interval:
-  case trigger_control:
+  case mav_cmd::do_set_cam_trigg_dist:
+  case mav_cmd::do_set_cam_trigg_interval:
+  case mav_cmd::do_trigger_control:
     return !(command.params[0].value_or(0) > 0);
   default:
     return false;
@@ -134,13 +132,13 @@ std::vector<std::size_t> state_before(const mission::document& mission, std::siz
 }
 
 std::optional<std::size_t> waypoint_before(const mission::document& mission, std::size_t index) {
-  constexpr std::uint16_t nav_waypoint = 16;
   for (std::size_t i = index; i > 0; --i) {
     const auto& each = mission.items[i - 1];
     if (is_of_change(mission::id_of(each)))
       continue; // an operator has sent it there from the line
     const auto* const command = std::get_if<mission::command_item>(&each);
-    if (std::holds_alternative<mission::waypoint>(each) || (command != nullptr && command->command == nav_waypoint))
+    if (std::holds_alternative<mission::waypoint>(each) ||
+        (command != nullptr && command->command == number(mav_cmd::nav_waypoint)))
       return i - 1;
     if (mission::moves_vehicle(each))
       break;

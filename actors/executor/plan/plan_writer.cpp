@@ -23,7 +23,7 @@ bool is_speed(const mission_item_int& item) {
   return item.command == io::mavlink::number(io::mavlink::mav_cmd::do_change_speed);
 }
 
-// Speeds behind the last movement: nothing is flown with them. What came verbatim stays.
+// Speeds after the last movement: nothing is flown with them. What came verbatim stays.
 void drop_idle_commands(flight_plan& plan) {
   while (!plan.items.empty() && is_speed(plan.items.back())) {
     const auto owner = std::find_if(plan.map.items.rbegin(), plan.map.items.rend(),
@@ -38,7 +38,7 @@ void drop_idle_commands(flight_plan& plan) {
     each.first_sequence = std::min(each.first_sequence, sequence_of(plan.items.size()));
 }
 
-// Behind the last movement ArduPilot executes the first command alone.
+// After the last movement ArduPilot executes the first command alone.
 void leave_out_late_acts(progress::plan_map& map) {
   bool has_one = false;
   for (auto i = progress::items_to_finish(map); i < map.items.size(); ++i)

@@ -36,9 +36,9 @@ public:
   void repeat(const io::mavlink::mission_item_int& item) { append(item); }
   // To the first vehicle item of the item called TO, which may come later.
   void add_jump(const io::mavlink::mission_item_int& item, const std::string& to);
-  // The way of a jump, from here; the vehicle is still here behind the last one.
+  // The way of a jump, from here; the vehicle is still here after the last one.
   void jump_to(const mission::position& to);
-  // What follows lies behind a landing and is no flight of its own: the vehicle keeps it, and nobody begins it.
+  // What follows comes after a landing and is no flight of its own: the vehicle keeps it, and nobody begins it.
   void begin_branch();
   void note(std::string sentence) { plan_.notes.push_back(std::move(sentence)); }
   // Behind it come its lines.

@@ -139,17 +139,17 @@ mission_item_int command_item_of(const mission::command_item& item, const plan_s
         std::clamp(*given * (has_degrees ? io::mavlink::units_a_degree : 1), -2147483647.0, static_cast<double>(unset));
     return static_cast<std::int32_t>(std::lround(scaled_value));
   };
-  result.x = coordinate(item.params[4]);
-  result.y = coordinate(item.params[5]);
+  result.x = coordinate(item.params[mission::latitude_param]);
+  result.y = coordinate(item.params[mission::longitude_param]);
   const bool is_above_home = io::mavlink::altitude_in(item.frame) == io::mavlink::altitude_kind::above_home;
-  result.z = item.params[6] && is_above_home && mission::moves_vehicle(item)
-                 ? static_cast<float>(*item.params[6] - setting.home.above_mission_zero_m)
-                 : value(6);
+  result.z = item.params[mission::altitude_param] && is_above_home && mission::moves_vehicle(item)
+                 ? static_cast<float>(*item.params[mission::altitude_param] - setting.home.above_mission_zero_m)
+                 : value(mission::altitude_param);
   return result;
 }
 
 double altitude_of(const mission::command_item& item, const plan_setting& setting) {
-  const double given = item.params[6].value_or(0);
+  const double given = item.params[mission::altitude_param].value_or(0);
   if (io::mavlink::altitude_in(item.frame) != io::mavlink::altitude_kind::above_sea)
     return given;
   return given - setting.home.above_sea_m + setting.home.above_mission_zero_m;

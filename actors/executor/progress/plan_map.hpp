@@ -20,7 +20,7 @@
 
 namespace godwit::executor::progress {
 
-// What becomes of an item that the vehicle has behind it.
+// What becomes of an item that the vehicle has left.
 enum class item_role {
   flown,  // it was reached
   acts,   // it was passed: whether the act was of use, a vehicle does not report

@@ -1,7 +1,5 @@
 #include "actors/ground_port/mission_server/item_commands.hpp"
 
-#include <algorithm>
-
 #include "actors/domain/mission/commands/command_table.hpp"
 
 namespace godwit::ground_port::mission_server {
@@ -14,8 +12,7 @@ using mission::command_class;
 bool is_of(const mission::command_row& row, mav_mission_type type) {
   if (type == mav_mission_type::fence || type == mav_mission_type::rally)
     return row.kind == (type == mav_mission_type::fence ? command_class::fence : command_class::rally);
-  const bool is_taken = std::ranges::any_of(row.answers, [](char each) { return each != '-'; });
-  return is_taken && row.kind != command_class::fence && row.kind != command_class::rally &&
+  return row.is_taken_by_anyone() && row.kind != command_class::fence && row.kind != command_class::rally &&
          row.kind != command_class::never;
 }
 

@@ -54,8 +54,7 @@ std::string flaw_of_items(const std::vector<mission::progress_report>& reports, 
     return "the mission is done, and the last report does not say so";
   std::set<std::string> told;
   for (const auto& each : reports)
-    if (each.kind == progress_kind::reached || each.kind == progress_kind::passed ||
-        each.kind == progress_kind::skipped)
+    if (mission::settles_item(each.kind))
       told.insert(each.item_id.value_or(""));
   for (const auto& each : mission.items)
     if (!told.contains(mission::id_of(each)))
@@ -93,8 +92,7 @@ report_counts count_reports(flight_simulation& flight) {
     const auto item = each.item_id.value_or("");
     if (!is_new || (each.item_id && !told.emplace(each.generation, each.kind, item).second))
       ++result.doubled;
-    if (each.kind == progress_kind::reached || each.kind == progress_kind::passed ||
-        each.kind == progress_kind::skipped)
+    if (mission::settles_item(each.kind))
       items.insert(item);
   }
   if (!numbers.empty())

@@ -2,7 +2,7 @@
 // until the flight is over, takes 2 s for each sync, or loses its power with the write half done; and the journal is
 // deleted or replaced, and then the process is killed.
 //
-// The writer tries again behind each error of the disk, whatever its name (docs/operations.md, Disk full): an error
+// The writer tries again after each error of the disk, whatever its name (docs/operations.md, Disk full): an error
 // and a full disk are one case here. A journal that was deleted under a process that goes on is the same until it is
 // rescued.
 #include <array>

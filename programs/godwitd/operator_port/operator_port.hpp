@@ -54,7 +54,7 @@ public:
 
   // Looked at each second, and here whatever the files look like. Any thread.
   void read_certificate_anew();
-  // All connections that came with it end, WebSockets too. Any thread.
+  // The WebSockets that came with it end. Any thread.
   void end_session(const std::string& session);
   // What it has counted. In the thread of the port.
   void append_metrics(io::prometheus::text_writer& out) const;

@@ -14,10 +14,6 @@ std::string unless_allowed(std::string_view reason, std::uint16_t command) {
   return std::string(reason) + "; flight.allowed_commands allows it where it names " + std::to_string(command);
 }
 
-bool is_taken_by_anyone(const command_row& row) {
-  return std::ranges::any_of(row.answers, [](char each) { return each != '-'; });
-}
-
 } // namespace
 
 std::optional<std::uint16_t> command_number(std::string_view text) {
@@ -56,7 +52,7 @@ std::string why_not_carried(std::uint16_t command, std::span<const std::uint16_t
   case command_class::flow:
     break;
   }
-  return is_taken_by_anyone(*row) ? std::string() : "every vehicle refuses a mission with it";
+  return row->is_taken_by_anyone() ? std::string() : "every vehicle refuses a mission with it";
 }
 
 } // namespace godwit::mission

@@ -77,6 +77,8 @@ struct command_row {
     const auto found = answers[static_cast<std::size_t>(vehicle)];
     return found == 't' ? item_answer::taken : found == 's' ? item_answer::skipped : item_answer::refused;
   }
+  // Some vehicle does not refuse it.
+  [[nodiscard]] bool is_taken_by_anyone() const { return answers.find_first_not_of('-') != std::string_view::npos; }
 };
 
 // Null: the number is unknown.

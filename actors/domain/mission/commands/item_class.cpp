@@ -3,18 +3,18 @@
 #include <type_traits>
 #include <variant>
 
+#include "io/mavlink/enums.hpp"
+
 namespace godwit::mission {
 
 namespace {
 
-constexpr std::uint16_t nav_land = 21;
-constexpr std::uint16_t nav_takeoff = 22;
-constexpr std::uint16_t nav_vtol_takeoff = 84;
-constexpr std::uint16_t nav_vtol_land = 85;
+using io::mavlink::mav_cmd;
 
-bool has_place(const command_item& each) {
-  const auto* const row = command_of(each.command);
-  return row != nullptr && row->has_place;
+bool is_one_of(const item& each, mav_cmd one, mav_cmd other) {
+  const auto* const command = std::get_if<command_item>(&each);
+  return command != nullptr &&
+         (command->command == io::mavlink::number(one) || command->command == io::mavlink::number(other));
 }
 
 } // namespace
@@ -37,15 +37,12 @@ command_class class_of(const item& each) {
 }
 
 bool is_take_off(const item& each) {
-  const auto* const command = std::get_if<command_item>(&each);
-  return std::holds_alternative<takeoff>(each) ||
-         (command != nullptr && (command->command == nav_takeoff || command->command == nav_vtol_takeoff));
+  return std::holds_alternative<takeoff>(each) || is_one_of(each, mav_cmd::nav_takeoff, mav_cmd::nav_vtol_takeoff);
 }
 
 bool is_landing(const item& each) {
-  const auto* const command = std::get_if<command_item>(&each);
   return std::holds_alternative<land>(each) || std::holds_alternative<return_home>(each) ||
-         (command != nullptr && (command->command == nav_land || command->command == nav_vtol_land));
+         is_one_of(each, mav_cmd::nav_land, mav_cmd::nav_vtol_land);
 }
 
 command_state state_of(const item& each) {
@@ -56,14 +53,17 @@ command_state state_of(const item& each) {
   return row == nullptr ? command_state::none : row->state;
 }
 
+bool has_place(const command_item& each) {
+  const auto* const row = command_of(each.command);
+  return row != nullptr && row->has_place;
+}
+
 std::optional<vertex> place_of(const command_item& each) {
-  constexpr std::size_t latitude = 4;
-  constexpr std::size_t longitude = 5;
-  const auto& params = each.params;
-  if (!has_place(each) || !params[latitude] || !params[longitude] ||
-      (*params[latitude] == 0 && *params[longitude] == 0))
+  const auto& latitude = each.params[latitude_param];
+  const auto& longitude = each.params[longitude_param];
+  if (!has_place(each) || !latitude || !longitude || (*latitude == 0 && *longitude == 0))
     return std::nullopt;
-  return vertex{*params[latitude], *params[longitude]};
+  return vertex{*latitude, *longitude};
 }
 
 bool is_here(const command_item& each) { return has_place(each) && !place_of(each); }

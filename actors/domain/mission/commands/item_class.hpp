@@ -19,6 +19,8 @@ namespace godwit::mission {
 
 [[nodiscard]] command_state state_of(const item& each);
 
+// By the table.
+[[nodiscard]] bool has_place(const command_item& each);
 // Latitude and longitude of a command that has some: not 0/0, which is "here" for ArduPilot.
 [[nodiscard]] std::optional<vertex> place_of(const command_item& each);
 // It has a place by the table, and none is given.

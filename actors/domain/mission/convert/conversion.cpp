@@ -92,14 +92,17 @@ conversion_error lossy(loss_list losses, std::string_view source) {
   return {bounded({document_errc::lossy, {std::move(summary)}}, source), std::move(losses)};
 }
 
+std::string why_no_mission(const document& without_items) {
+  return without_items.geofences.empty() ? "holds rally points alone, which are no mission"
+                                         : "holds a fence alone, which is no mission";
+}
+
 import_result finished(const document& given, loss_list losses, const import_options& options, std::string_view source,
                        const source_map& places) {
   const bool is_fence_alone = given.items.empty() && !places.holds_items &&
                               (!given.geofences.empty() || given.rally_points || given.breach_return_point);
   if (is_fence_alone && !options.fence_alone) {
-    const auto* const what = given.geofences.empty() ? "holds rally points alone, which are no mission"
-                                                     : "holds a fence alone, which is no mission";
-    document_problem no_items{{}, what, {}};
+    document_problem no_items{{}, why_no_mission(given), {}};
     return tl::unexpected(
         conversion_error{bounded({document_errc::wrong_form, {std::move(no_items)}}, source), std::move(losses)});
   }

@@ -59,6 +59,9 @@ struct source_map {
 // ERROR with its places in the mission as places in the file.
 [[nodiscard]] document_error in_source(document_error error, const document& mission, const source_map& source);
 
+// What a document without items holds instead.
+[[nodiscard]] std::string why_no_mission(const document& without_items);
+
 // The last step of every importer: MISSION if it keeps all rules and nothing was lost, or what stands in the way.
 [[nodiscard]] import_result finished(const document& mission, loss_list losses, const import_options& options,
                                      std::string_view source, const source_map& places = {});

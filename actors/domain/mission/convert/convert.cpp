@@ -97,9 +97,7 @@ tl::expected<exported, conversion_error> convert(std::string_view text, mission_
     return tl::unexpected(std::move(read_in.error()));
   const bool is_mission_needed = to == mission_format::json || to == mission_format::geojson;
   if (read_in->mission.items.empty() && is_mission_needed)
-    return not_written(read_in->mission.geofences.empty() ? "holds rally points alone, which are no mission"
-                                                          : "holds a fence alone, which is no mission",
-                       "a .plan or .waypoints to write it to", text);
+    return not_written(why_no_mission(read_in->mission), "a .plan or .waypoints to write it to", text);
   const auto& items = read_in->mission.items;
   if (to == mission_format::waypoints && !items.empty() &&
       std::ranges::all_of(items, [](const item& each) { return std::holds_alternative<survey>(each); }))

@@ -46,7 +46,7 @@ public:
   item_importer(const import_context& context, loss_list& losses) : context_(context), losses_(losses) {}
 
   void take(const vehicle_item& each);
-  // Behind the last one: where the jumps lead is known now. One that leads nowhere is left out.
+  // After the last one: where the jumps lead is known now. One that leads nowhere is left out.
   void resolve_jumps();
 
   // What some pattern of a ground station comes to; gets an id. NUMBER: its place in the source, from 0 on.

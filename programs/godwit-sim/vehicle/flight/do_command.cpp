@@ -42,7 +42,7 @@ std::optional<std::string> change_speed(const mission_item_int& command, const c
 // By some vehicle, as an item. What is guarded is not known here.
 bool is_executed(std::uint16_t command) {
   const auto* const row = mission::command_of(command);
-  if (row == nullptr || std::ranges::all_of(row->answers, [](char each) { return each == '-'; }))
+  if (row == nullptr || !row->is_taken_by_anyone())
     return false;
   return row->kind == command_class::acts || row->kind == command_class::waits || row->kind == command_class::flow ||
          row->kind == command_class::moves;

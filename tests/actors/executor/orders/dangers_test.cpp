@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -317,16 +318,23 @@ TEST_P(danger_on_its_line, a_plan_of_somebody_else_is_not_taken_for_the_way_home
   EXPECT_TRUE(world.run_until(is_on_way, 30)) << world.story();
 }
 
+// A person has the vehicle go on with the item ID of our plan. False: the plan has none.
+bool choose_item(flight_world& world, personality who, std::string_view id) {
+  const auto& items = world.durable().progress.plan->map.items;
+  const auto found = std::ranges::find(items, id, &progress::mapped_item::item_id);
+  if (found == items.end())
+    return false;
+  world.person().choose_item(found->first_sequence, who == personality::px4);
+  return true;
+}
+
 TEST_P(danger, items_that_somebody_else_jumps_over_are_not_reported_as_reached) {
   auto wanted = settings();
   wanted.start = start_policy::automatic;
   flight_world world(wanted);
   ASSERT_TRUE(tests::fly_to(world, tests::short_mission(who()), progress_kind::started, "w1"));
   world.run_for(1);
-  const auto& items = world.durable().progress.plan->map.items;
-  const auto w3 = std::ranges::find(items, "w3", &progress::mapped_item::item_id);
-  ASSERT_NE(w3, items.end());
-  world.person().choose_item(w3->first_sequence, who() == personality::px4);
+  ASSERT_TRUE(choose_item(world, who(), "w3"));
   world.run_for(120);
   EXPECT_FALSE(is_reported(world, progress_kind::reached, "w2")) << world.story();
 }
@@ -339,10 +347,7 @@ TEST_P(danger, an_item_that_somebody_else_chooses_right_after_the_start_is_not_t
   const auto first = who() == personality::rover ? "w1" : "up";
   ASSERT_TRUE(tests::fly_to(world, tests::short_mission(who()), progress_kind::started, first));
   world.run_for(0.3);
-  const auto& items = world.durable().progress.plan->map.items;
-  const auto w2 = std::ranges::find(items, "w2", &progress::mapped_item::item_id);
-  ASSERT_NE(w2, items.end());
-  world.person().choose_item(w2->first_sequence, who() == personality::px4);
+  ASSERT_TRUE(choose_item(world, who(), "w2"));
   world.run_for(10);
   EXPECT_FALSE(is_reported(world, progress_kind::reached, "w1")) << world.story();
 }

@@ -2,6 +2,7 @@
 //
 // Everything lives in a scratch folder and ends with `end()`. The vehicle's world runs SPEED times as fast; godwitd and
 // the page run in real time. Programs come from GODWITD and GODWIT_SIM of the environment.
+import assert from "node:assert/strict";
 import { spawn, spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createConnection, createServer } from "node:net";
@@ -174,13 +175,35 @@ export async function value_of(page, name) {
   return page.textContent(`[data-value=${name}] .value`);
 }
 
-// Held down by the pointer for as long as it takes.
-export async function hold(page, button) {
-  await page.waitForSelector(`${button}:not([disabled])`);
-  await page.hover(button);
-  await page.mouse.down();
-  await wait(850);
-  await page.mouse.up();
+// Presses BUTTON and holds it until the page has acted on it. A press that a moved layout or a late timer ended earlier
+// did nothing: it is repeated, as a person would. PRESS and RELEASE: by pointer where not given.
+export async function hold(page, button, press = () => page.mouse.down(), release = () => page.mouse.up()) {
+  await soon(async () => {
+    await page.waitForSelector(`${button}:not([disabled])`);
+    await page.hover(button);
+    const watch = await page.evaluateHandle(watch_hold, button);
+    await press();
+    const is_done = await watch.evaluate((each) => each.acted);
+    await release();
+    assert.ok(is_done, `${button} was let go`);
+  });
+}
+
+// In the browser: `acted` becomes true when the hold of BUTTON has lasted, false when an event ended it or none began.
+function watch_hold(button) {
+  const held = document.querySelector(button);
+  const acted = new Promise((then) => {
+    if (held === null) return then(false);
+    for (const end of ["pointerleave", "pointercancel", "blur"])
+      document.addEventListener(end, (event) => event.target === held && then(false), { capture: true });
+    let begun = false;
+    new MutationObserver(() => {
+      if (held.classList.contains("holding")) begun = true;
+      else if (begun) then(true);
+    }).observe(held, { attributeFilter: ["class"] });
+    setTimeout(() => begun || then(false), 2_000);
+  });
+  return { acted };
 }
 
 export { wait };

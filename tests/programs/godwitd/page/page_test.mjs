@@ -191,9 +191,7 @@ test("by keyboard alone: the flight goes on", async () => {
   await page.evaluate("document.activeElement.blur()");
   await page.keyboard.press("r");
   await soon(async () => assert.equal(await page.evaluate("document.activeElement.id"), "command-resume"));
-  await page.keyboard.down(" ");
-  await wait(850);
-  await page.keyboard.up(" ");
+  await hold(page, "#command-resume", () => page.keyboard.down(" "), () => page.keyboard.up(" "));
   await shows("#phase strong", "flying");
 });
 

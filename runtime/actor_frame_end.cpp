@@ -167,7 +167,7 @@ void actor_frame::leave() {
   if (std::exchange(left_, true))
     return;
   auto& host = *context_.host;
-  // First: else mail could still arrive behind the last look into the mailbox.
+  // First: else mail could still arrive after the last look into the mailbox.
   address().park_from_now(host.ctrl(), context_.number);
   std::vector<caf::mailbox_element_ptr> mail;
   const auto put_back_all = [&](std::deque<unwritten_message> messages) {

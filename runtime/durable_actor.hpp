@@ -27,7 +27,7 @@
 // a shell turn an effect into rows of its own tables or of the outbox, in the same transaction.
 //
 // A failing disk ends nothing: writes wait, and so does what is to go out after them. When the journal takes nothing,
-// the actor keeps one write and offers it again every write_retry; behind its own bounds it takes no mail that is not
+// the actor keeps one write and offers it again every write_retry; after its own bounds it takes no mail that is not
 // its own (actor_frame.hpp). Thread: as actor_base.
 #pragma once
 
@@ -102,7 +102,7 @@ protected:
   // Applied to the state when this returns; in the journal when the handler has returned.
   void commit(const event& happened) { commit(happened, {}); }
 
-  // Hands what was decided so far to the journal now, and not when the handler returns: behind something that has gone
+  // Hands what was decided so far to the journal now, and not when the handler returns: after something that has gone
   // out at once. From here on the message is not put back.
   void write_now() { submit_decisions(); }
 

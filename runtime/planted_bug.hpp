@@ -25,7 +25,7 @@ enum class planted_bug {
   skip_look,                   // a new incarnation does not look at the vehicle first
   clear_while_armed,           // a station's clear reaches the vehicle whatever it does
   forget_fence_revision,       // a plan that is changed is not guarded by its fences
-  lose_outbox_row,             // the report behind one that was delivered is gone
+  lose_outbox_row,             // the report after one that was delivered is gone
   report_before_commit,        // a durable effect goes out before its event is on the disk
   repeat_start_over_person,    // a start is said again although a person has the vehicle
   believe_late_frame,          // nobody waits for what was said of the plan before

@@ -130,7 +130,7 @@ public:
   // -- the guardian -------------------------------------------------------------------------------
   [[nodiscard]] std::uint64_t begin_incarnation(); // its number, from 1
   void bind(caf::strong_actor_ptr incarnation, caf::execution_unit* context);
-  // Gives up an incarnation that does not answer: mail is parked from now on, behind the durable effects that it had
+  // Gives up an incarnation that does not answer: mail is parked from now on, after the durable effects that it had
   // not handled. Returns how many other messages are stranded in it.
   std::size_t abandon();
   bool kill(); // ends the incarnation between two messages; false: there is none

@@ -56,7 +56,7 @@ public:
   ~system();
 
   // Declares a child; started by start() in the order of declaration. ARGS go to the constructor of each incarnation,
-  // behind its spawn_context.
+  // after its spawn_context.
   template <class Actor, class... Args>
   typename Actor::handle_type add(address_options address, child_policy policy, Args... args) {
     return typename Actor::handle_type(

@@ -303,7 +303,7 @@ void actor::miss_failsafe() {
   command.by = actor_name();
   const auto answer = core_->on_operator(command, now());
   carry_out(answer.is_taken ? announce{"the vehicle returns because the failsafe is gone", true}
-                            : announce{"the vehicle is not told to return: " + answer.reason, true});
+                            : announce{"the vehicle is not commanded to return: " + answer.reason, true});
 }
 
 void actor::say_all(const std::vector<announce>& sentences) {

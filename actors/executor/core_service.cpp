@@ -54,7 +54,7 @@ effects core::on_earlier(const mission_client::earlier_found& m, instant now) {
   const bool is_flown = told.plan && told.plan->generation.is_finished; // its end is seen as that of a flight
   const bool stands = !is_flight_begun(s) && !s.doing && !flight_.view.is_under_way();
   if (has_ended && !is_flown && stands && !is_over(s.status.now))
-    phases_.go(out, trigger::mission_ended, "the missions service says that it has ended");
+    phases_.go(out, trigger::mission_ended, "the missions service reports that it has ended");
   return out;
 }
 

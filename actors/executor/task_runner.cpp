@@ -364,7 +364,7 @@ bool task_runner::is_too_late_to_move() const {
 }
 
 void task_runner::end_too_late(const world& w) {
-  end_step(w, "godwit could not look after it for more than a second; a person has to say it again");
+  end_step(w, "godwit stood still for more than a second; a person has to repeat the command");
 }
 
 void task_runner::note_and_wait(const world& w, durable_core::event what) {

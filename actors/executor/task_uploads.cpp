@@ -48,7 +48,7 @@ progress::upload_ended task_runner::end_of_upload(const vehicle_view& view) {
   const auto words = view.warned_since(asked_ns_);
   last_reason_ =
       "the vehicle has taken the plan, and finds that it can not be flown" +
-      (words.empty() ? ", by its own fence, its parameters or its state; it says why to ground stations alone"
+      (words.empty() ? ", by its own fence, its parameters or its state; it reports why to ground stations alone"
                      : ": \"" + words + "\"");
   result.verdict = progress::upload_verdict::infeasible;
   result.reason = last_reason_;

@@ -2,7 +2,7 @@
 //
 // The decisions are in core.hpp. This shell hands what it hears to the core, ticks every tick_ms, and at once for a new
 // position and for what others say. It waits for nobody: not for the executor, not for an answer, not for the disk. A
-// command goes out in the turn in which it was decided, behind the failsafe_status that says whose it is, and before
+// command goes out in the turn in which it was decided, after the failsafe_status that says whose it is, and before
 // the record of it is handed to the journal. Where the journal takes nothing it goes on acting, and says so: a disk
 // that is full must not keep a vehicle from coming home. Thread: as actor_base.
 #pragma once

@@ -407,7 +407,8 @@ void core::drive(const view& seen, instant now, effects& out) {
   if (step.disobeyed)
     out.emplace_back(warning{mav_severity::alert, "the vehicle accepted what the failsafe wants and does not do it"});
   if (step.was_left)
-    out.emplace_back(warning{mav_severity::alert, "the vehicle has left what the failsafe wants; it is told again"});
+    out.emplace_back(
+        warning{mav_severity::alert, "the vehicle has left the mode of the failsafe; it is commanded again"});
 }
 
 // -- what is said ---------------------------------------------------------------------------------

@@ -172,7 +172,7 @@ private:
   // What was said last, so that each thing is said once.
   link_phase said_link_ = link_phase::off;
   std::optional<std::int64_t> fence_ahead_ns_; // when a fence was last seen to be near
-  runtime::condition health_{runtime::health_colour::yellow, "nothing has been heard yet"};
+  runtime::condition health_{runtime::health_colour::yellow, "nothing has been received yet"};
   failsafe_status failsafe_status_;
   bool has_new_limits_ = false; // not kept yet
   standing kept_;

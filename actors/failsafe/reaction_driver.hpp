@@ -1,7 +1,7 @@
 // Brings a reaction to the vehicle: sends, waits, looks, sends again; see reaction.hpp for the phases.
 //
 // After a restart a command that was in flight is waited for as if it had just gone out: it can still reach the
-// vehicle, and a second one behind it would be a second return. Monotonic nanoseconds. Thread: pure.
+// vehicle, and a second one after it would be a second return. Monotonic nanoseconds. Thread: pure.
 #pragma once
 
 #include <cstdint>
@@ -38,7 +38,7 @@ public:
     std::int64_t heartbeat_ns = 0; // when it was seen
     bool may_send = false;
     bool is_ours = true;          // no pilot has changed the mode
-    bool on_landing = false;      // the plan is at its landing, or behind it
+    bool on_landing = false;      // the plan is at its landing, or after it
     std::int64_t sequence_ns = 0; // when that was seen
   };
   struct step {

@@ -6,7 +6,7 @@
 //   3         battery_low       return      return                            return  until a deadline
 //   4         operator_link     return      return                            return  until a deadline
 //
-// Where a return would not lead to the mission's home, behind a landing on the way, the vehicle holds in its place.
+// Where a return would not lead to the mission's home, after a landing on the way, the vehicle holds in its place.
 // That the link to the autopilot is down is no rule: nothing could be sent, and the autopilot's own failsafe acts.
 // A lower rule never cancels what a higher one does. Thread: constants.
 #pragma once

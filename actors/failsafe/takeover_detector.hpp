@@ -12,7 +12,7 @@
 // of a plan; its heartbeat may be older than what shows the take-off, so that a newer one is waited for. After a
 // restart the mode is compared with the last one that was ours; without such a record a vehicle in the air is only
 // taken for ours when it flies a mission. On the ground modes change as they like. Who has taken the vehicle has it
-// also behind its landing: an operator hands it back, or the executor when it starts the next flight. Thread: pure.
+// also after its landing: an operator hands it back, or the executor when it starts the next flight. Thread: pure.
 #pragma once
 
 #include <cstddef>
@@ -81,7 +81,7 @@ public:
 
   void on_place(std::uint16_t sequence, bool is_complete, instant now);
   void on_text(const flight::mode_owner& whose, std::string_view text, instant now);
-  // In flight, behind evaluate().
+  // In flight, after evaluate().
   void on_current_mode(const flight::mode_owner& whose, const flight::told_modes& told, instant now);
   // Once at each tick at which the vehicle is heard.
   void evaluate(const flight_now& flight, const seen_mode& seen, instant now);

@@ -64,7 +64,7 @@ public:
   static constexpr std::size_t max_unsent_texts = 24; // live ones that have not left: one of each topic, twice
   static constexpr std::size_t events_a_write = 10;   // taken ones, before that is written
 
-  // SESSION: another one for each process. Numbers of connections begin behind FIRST_ATTEMPT.
+  // SESSION: another one for each process. Numbers of connections begin after FIRST_ATTEMPT.
   core(settings configured, std::uint64_t seed, std::string session, std::uint64_t first_attempt);
 
   [[nodiscard]] effects on_opened(const broker_opened& m, const state& s, instant now);

@@ -331,7 +331,7 @@ port_description core::describe(instant now) const {
 runtime::condition core::health(instant now) {
   if (stood_down_)
     return {runtime::health_colour::red,
-            "the port stands in for the autopilot, but the autopilot itself was heard on it; set the "
+            "the port stands in for the autopilot, but the autopilot itself is on it; set the "
             "port's component to 191, or take the autopilot off this line"};
   if (channel_.signs_beyond_reservation())
     return {runtime::health_colour::red,

@@ -156,7 +156,7 @@ void append_service(text_writer& out, const mission_client::service_status& seen
           seen.fetch_errors);
   out.one("godwit_service_lost_reports_total", metric_kind::counter, "Reports of progress that were never delivered.",
           seen.lost_reports);
-  out.begin("godwit_outbox_rows", metric_kind::gauge, "What is owed to the missions service.");
+  out.begin("godwit_outbox_rows", metric_kind::gauge, "Rows that are still to be delivered to the missions service.");
   out.add(seen.pending, {{"state", "pending"}});
   out.add(seen.orphaned, {{"state", "orphaned"}});
   out.add(seen.expired, {{"state", "expired"}});

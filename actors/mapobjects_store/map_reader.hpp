@@ -15,7 +15,7 @@
 
 namespace godwit::mapobjects_store {
 
-// Where a page begins: behind this object.
+// Where a page begins: after this object.
 struct object_place {
   bool among_loaded = false; // what was seen here comes first
   std::int64_t number = 0;

@@ -21,7 +21,7 @@ map_writer_status status_of(const io::sqlite::writer_status& now) {
 map_error refused_work(io::sqlite::refusal why) {
   if (why == io::sqlite::refusal::closed)
     return {map_errc::closed, "the map is closed", {}};
-  return {map_errc::full, "the writer of the map is behind by its bound",
+  return {map_errc::full, "the writer of the map is late by its bound",
           "Look at its health: the disk is failing or too slow"};
 }
 

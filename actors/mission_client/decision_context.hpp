@@ -38,7 +38,7 @@ void resolve(decision_context& t);
 
 // -- core_reports.cpp ------------------------------------------------------------------------------
 
-// The service has reports of the mission up to this one, and this journal has fewer: numbers go on behind it. What
+// The service has reports of the mission up to this one, and this journal has fewer: numbers go on after it. What
 // waits and was numbered since the journal was taken up is numbered anew, and left out where the service has it.
 void go_on_behind(decision_context& t, mission_note& note, const earlier_reports& told);
 void take(decision_context& t, const report_progress& m);

@@ -172,7 +172,7 @@ void deliveries::take_row_answer(planning_context& d, const lane_id& id, lane& l
   case judgement::conflict:
     if (is_map(id.first))
       return d.happened(rows_refused{l.keys, why, false, l.batch_rows});
-    // With a report all that come behind it are refused too.
+    // With a report all that come after it are refused too.
     return d.happened(rows_refused{all_behind(d.s, l.keys.front()), why, false, 0});
   case judgement::wrong:
     return d.happened(rows_refused{l.keys, why, false, is_map(id.first) ? l.batch_rows : 0});

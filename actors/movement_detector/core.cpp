@@ -162,8 +162,8 @@ effects core::on_time(instant now) {
     if (state_ == helper_state::resting)
       result = start(now);
     else
-      result = rest(state_ == helper_state::starting ? "it has said nothing since it was started"
-                                                     : "it has said nothing for 2 s",
+      result = rest(state_ == helper_state::starting ? "it has sent nothing since it was started"
+                                                     : "it has sent nothing for 2 s",
                     true, now);
   }
   if (now.monotonic_ns >= next_view_ns_) {
@@ -188,8 +188,8 @@ std::string core::sentence(instant now) const {
   if (auto pictures = sentence_of_pictures(now); !pictures.empty())
     return pictures;
   if (now.monotonic_ns - attitude_ns_ > telemetry_lasts_ns || now.monotonic_ns - position_ns_ > telemetry_lasts_ns)
-    return std::string(settings_.is_on_gimbal ? "the gimbal tells no attitude that can be used"
-                                              : "the vehicle tells no attitude") +
+    return std::string(settings_.is_on_gimbal ? "the gimbal reports no attitude that can be used"
+                                              : "the vehicle reports no attitude") +
            ", or the vehicle no position: what moves is found, and not where it is";
   return {};
 }
@@ -203,7 +203,7 @@ std::string core::sentence_of_pictures(instant now) const {
   if (is.fault == io::eyes::picture_fault::repeated)
     return "the camera sends the same picture again and again: switch it off and on";
   if (!is.unusable.empty() && now.monotonic_ns - sound_ns_ > unusable_told_ns)
-    return "the pictures say nothing: " + is.unusable;
+    return "the pictures are of no use: " + is.unusable;
   return {};
 }
 

@@ -154,7 +154,7 @@ command_answer core::objection_to(const operator_command& m, instant now) const 
   if (m.valid_until_ns != 0 && kind != command_kind::pause) {
     const auto left_ns = m.valid_until_ns - now.wall_ns;
     if (left_ns < 0)
-      return {verdict::late, "it was valid until " + seconds(-left_ns) + " ago; say it again if you still mean it"};
+      return {verdict::late, "it was valid until " + seconds(-left_ns) + " ago; send it again if it is still meant"};
     if (left_ns > longest_validity_ns)
       return {verdict::refused, "it would be valid for " + seconds(left_ns) + ", and " + seconds(longest_validity_ns) +
                                     " is the longest; compare the clocks"};
@@ -165,7 +165,7 @@ command_answer core::objection_to(const operator_command& m, instant now) const 
     return {verdict::no_control, std::move(objection)};
   const auto waiting = std::ranges::count_if(under_way_, [](const auto& each) { return !each.second.is_stop; });
   if (static_cast<std::size_t>(waiting) >= max_under_way || !has_room(s_, m.by, now.wall_ns))
-    return {verdict::busy, "too many commands are under way; say it again in a moment"};
+    return {verdict::busy, "too many commands are under way; send it again in a moment"};
   return {verdict::taken, {}};
 }
 
@@ -187,7 +187,7 @@ void core::admit(effects& out, const operator_command& m, std::uint64_t request,
     if (std::ranges::count_if(under_way_, is_alike) >= static_cast<std::ptrdiff_t>(max_stops_under_way)) {
       auto& newest = std::find_if(under_way_.rbegin(), under_way_.rend(), is_alike)->second;
       if (newest.askers.size() == max_askers)
-        return refuse(out, m, request, {verdict::busy, "many have said the same, and it is under way"}, now);
+        return refuse(out, m, request, {verdict::busy, "many have sent the same, and it is under way"}, now);
       newest.askers.push_back(request);
       return put_row(out, m.by, m.what, m.id, {verdict::taken, "with another one that is under way"}, now);
     }
@@ -218,7 +218,7 @@ core::released core::on_written(std::uint64_t number, instant now) {
   auto& each = found->second;
   released result;
   if (now.monotonic_ns - each.since_ns > release_within_ns || now.wall_ns > each.as.valid_until_ns)
-    end(result.otherwise, number, {verdict::late, "the disk took too long; nothing was done, say it again"}, now);
+    end(result.otherwise, number, {verdict::late, "the disk took too long; nothing was done, send it again"}, now);
   else if (auto objection = control_.objection_to(each.as.by, now); !objection.empty())
     end(result.otherwise, number, {verdict::no_control, std::move(objection)}, now);
   else {
@@ -238,7 +238,7 @@ effects core::on_answer(std::uint64_t number, const operators::answer& m, instan
 effects core::on_no_answer(std::uint64_t number, bool was_taken, instant now) {
   effects out;
   if (was_taken)
-    end(out, number, {verdict::unknown, "the executor gave no answer; look at the status before you say it again"},
+    end(out, number, {verdict::unknown, "the executor gave no answer; look at the status before you send it again"},
         now);
   else
     end(out, number, {verdict::not_done, "the executor takes nothing now; nothing was done"}, now);
@@ -252,7 +252,7 @@ void core::end(effects& out, std::uint64_t number, command_answer answer, instan
   const auto& each = done.mapped();
   refused_ += answer.verdict == verdict::taken ? 0 : 1;
   put_row(out, each.as.by, each.what, each.as.id, answer, now);
-  // A stop that was not taken is handed over again when it is said again.
+  // A stop that was not taken is handed over again when it is sent again.
   if (!each.is_stop) {
     out.emplace_back(note{command_ended{number, answer}});
   } else if (!each.as.id.empty() && answer.verdict == verdict::taken && has_room(s_, each.as.by, now.wall_ns)) {

@@ -85,7 +85,7 @@ void actor::look_at_view() {
 
 void actor::lose_pass(const pass_lost& how) {
   at_end([this, why = how.why] {
-    others_->say("a survey is no whole pass, and nothing of it is said to be gone: " + why, false);
+    others_->say("a survey is no whole pass, and none of its objects is reported gone: " + why, false);
   });
 }
 
@@ -144,7 +144,7 @@ void actor::ask_map(const Owed& what) {
         commit(Delivered{id});
         if (answer.failure == map_failure::refused)
           at_end([this, why = answer.error] {
-            others_->say("the map refuses what a person or a pass has said: " + why, true);
+            others_->say("the map refuses what a person or a pass has reported: " + why, true);
           });
         turn();
       },

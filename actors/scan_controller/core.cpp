@@ -143,7 +143,7 @@ core::decided core::on_decision(const state& s, const decide_point& said, instan
   if (s.owed.size() >= max_owed)
     return {
         {},
-        refused("the map has not taken the decisions before; say it again when `godwitd ctl status` shows it well")};
+        refused("the map has not taken the decisions before; send it again when `godwitd ctl status` shows it well")};
   return {showing_ended{said.number, wanted, said.by, now.monotonic_ns, now.wall_ns}, {true, {}}};
 }
 
@@ -173,7 +173,7 @@ std::int64_t core::next_deadline_ns(const state& s) const {
   return result;
 }
 
-// More than the window behind the point before which so many were shown: also both ends of 60 s count.
+// More than the window after the point before which so many were shown: also both ends of 60 s count.
 std::int64_t core::next_turn_ns(const state& s) const {
   const std::size_t most = settings_.shown_a_minute;
   if (s.shown_ns.size() < most)

@@ -70,7 +70,7 @@ public:
   [[nodiscard]] std::optional<connection_changed> on_time(std::int64_t now_ns);
 
   // The autopilot's time since boot, from any of its messages. It has started again when three of them that rise, over
-  // a second at least, go back behind what was heard before, and none of the old clock comes between.
+  // a second at least, go back to before what was heard, and none of the old clock comes between.
   [[nodiscard]] std::optional<vehicle_restarted> on_boot_time(std::uint32_t boot_ms, std::int64_t now_ns);
   // For each frame of the vehicle: its number as if it did not wrap, by which one that comes late, or twice, is known.
   // A loss of more than 127 frames in a row makes it too low for a while.

@@ -157,7 +157,7 @@ void helper::parts::read_all() {
   for (;;) {
     auto read = way->receive();
     if (!read)
-      return stop("what it says can not be read: " + read.error().what);
+      return stop("what it sends can not be read: " + read.error().what);
     if (read->is_closed)
       return stop("it has gone");
     if (!read->said)

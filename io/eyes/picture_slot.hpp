@@ -3,7 +3,7 @@
 //
 //   head: magic, number of the newest picture | buffer 0 | buffer 1 | buffer 2 | cut-outs 0 ... max_cutouts - 1
 //
-// The writer fills the buffer behind the newest one and then raises the number (a sequence lock over three buffers), so
+// The writer fills the buffer after the newest one and then raises the number (a sequence lock over three buffers), so
 // a reader has the time of two pictures to copy one; if the number has risen by more meanwhile, it looks again. The
 // memory is sealed: nobody can make it shorter, which would end a reader by SIGBUS. A reader believes nothing of what
 // is in it: sizes are checked, and the bytes are a JPEG only to whoever decodes them. Errors: sentences. Thread: one

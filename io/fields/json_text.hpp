@@ -40,7 +40,7 @@ void append_json_number(std::string& out, N value) {
     append_json_unsigned(out, value);
 }
 
-// ,"NAME": behind the value before it, or without the comma behind the brace that begins the object.
+// ,"NAME": after the value before it, or without the comma after the brace that begins the object.
 void append_json_name(std::string& out, std::string_view name);
 
 // {"name":VALUE,...} for the open fields of T, in the order of the table; APPEND(entry) writes each VALUE.

@@ -61,7 +61,7 @@ inline constexpr std::size_t max_error_body_bytes = 64 * 1024;
 
 struct response {
   unsigned status = 0;
-  std::vector<header> headers;  // as they came, without those behind a chunked body
+  std::vector<header> headers;  // as they came, without those after a chunked body
   std::string body;             // empty when a sink took it
   std::uint64_t body_bytes = 0; // of the body, wherever it went
   bool is_cut = false;          // not 2xx, and longer than max_error_body_bytes: the rest was not read

@@ -49,9 +49,9 @@ public:
   [[nodiscard]] bool has_begun() const; // a byte has come
   // True, once, when the sink has asked for a pause since the last call.
   [[nodiscard]] bool take_pause();
-  // Complete, nothing came behind it, and both sides agree to go on.
+  // Complete, nothing came after it, and both sides agree to go on.
   [[nodiscard]] bool can_be_kept() const;
-  // Bytes lie behind the complete answer.
+  // Bytes lie after the complete answer.
   [[nodiscard]] bool has_leftover() const;
   // Of a complete answer.
   [[nodiscard]] response take();

@@ -25,7 +25,7 @@ inline constexpr std::size_t max_key_bytes = 64 * 1024;  // a key of RSA 16384 i
 // Written whole beside it and renamed over it, with that mode; on the disk when this returns.
 [[nodiscard]] result<void> store_secret_file(const std::string& file, std::string_view content, errc code);
 
-// One end of line behind the token is cut off. What is left must be a token, and not, say, two lines.
+// One end of line after the token is cut off. What is left must be a token, and not, say, two lines.
 [[nodiscard]] result<secret_text> load_token(const std::string& file);
 
 } // namespace godwit::io::http

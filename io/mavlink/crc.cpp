@@ -27,7 +27,7 @@ std::uint16_t advance(std::uint16_t crc, std::uint8_t byte) {
   return static_cast<std::uint16_t>((crc >> 8U) ^ tables[0][(crc ^ byte) & 0xFFU]);
 }
 
-// What the bytes of WORD add when FOLLOWING bytes stand behind them in the step.
+// What the bytes of WORD add when FOLLOWING bytes stand after them in the step.
 template <std::size_t following, class Word>
 unsigned lookup(Word word) {
   return [&]<std::size_t... I>(std::index_sequence<I...>) {

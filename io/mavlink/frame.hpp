@@ -23,7 +23,7 @@ struct sender {
 
 class frame_view {
 public:
-  // BEGIN is the FD of a whole frame, or of a header at least if nothing behind the header is asked for.
+  // BEGIN is the FD of a whole frame, or of a header at least if nothing after the header is asked for.
   explicit constexpr frame_view(const std::byte* begin) : begin_(begin), size_(frame_size(begin)) {}
 
   [[nodiscard]] byte_view bytes() const { return {begin_, size_}; }

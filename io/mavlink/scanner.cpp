@@ -105,7 +105,7 @@ scanner::verdict scanner::judge_v2(const search& each, std::size_t& size) {
   return verdict::frame;
 }
 
-// The checksum of an unknown id says nothing, so what lies in it and behind it must.
+// The checksum of an unknown id says nothing, so what lies in it and after it must.
 scanner::verdict scanner::judge_unknown(const frame_view& frame, byte_view behind, bool is_all) {
   if (behind.size() < header_size && !is_all)
     return verdict::wait;

@@ -5,7 +5,7 @@
 //   scanner.feed_next_datagram(bytes, sink);                    // of one sender, who may split frames over datagrams
 //
 // Strict: a frame reaches the sink only if its id is in io/mavlink/ids.hpp, its checksum is right and it has no unknown
-// incompatibility flag. After anything else the search goes on with the byte behind the false FD, so that a false start
+// incompatibility flag. After anything else the search goes on with the byte after the false FD, so that a false start
 // costs no real frame that lies in the bytes which it claimed:
 //
 //   FD, id known, checksum right    a frame; with an unknown flag passed over as a whole

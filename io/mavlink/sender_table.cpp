@@ -4,7 +4,7 @@ namespace godwit::io::mavlink {
 
 void sender_table::count(sender_counters& each, std::uint8_t sequence) {
   constexpr std::uint8_t half_circle = 128;
-  constexpr std::uint8_t restart_after = 2; // frames from behind in a row: the peer began to count anew
+  constexpr std::uint8_t restart_after = 2; // frames with earlier numbers in a row: the peer began to count anew
   const auto gap = static_cast<std::uint8_t>(sequence - each.last_sequence - 1);
   ++each.received;
   if (gap < half_circle) {

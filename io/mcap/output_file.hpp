@@ -22,7 +22,7 @@ public:
 
   // The file must not exist yet; a device (as /dev/full) may.
   [[nodiscard]] result<void> create(const std::filesystem::path& path);
-  // Opens an existing file and drops everything behind `keep_bytes`.
+  // Opens an existing file and drops everything after `keep_bytes`.
   [[nodiscard]] result<void> open_and_cut(const std::filesystem::path& path, std::uint64_t keep_bytes);
   // On an error the file is cut back to what it was before, as far as the system lets us.
   [[nodiscard]] result<void> append(byte_view bytes);

@@ -49,7 +49,7 @@ public:
 
   // CRC of all bytes before the record that was read last, from the start or from restart_crc() on.
   [[nodiscard]] std::uint32_t crc() const { return crc_; }
-  // The CRC starts anew behind the record that was read last.
+  // The CRC starts anew after the record that was read last.
   void restart_crc();
 
   [[nodiscard]] const read_limits& limits() const { return limits_; }

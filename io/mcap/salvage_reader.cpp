@@ -164,8 +164,7 @@ salvage_reader::step salvage_reader::on_record(opcode op, byte_view content) {
     }
     return op == opcode::schema ? tell(parse_schema(content)) : tell(parse_channel(content));
   case opcode::message:
-    return is_behind_data_ ? lose_record("there is a message behind the end of the data")
-                           : tell(parse_message(content));
+    return is_behind_data_ ? lose_record("there is a message after the end of the data") : tell(parse_message(content));
   case opcode::metadata:
     return tell(parse_metadata(content));
   case opcode::chunk:
@@ -293,7 +292,7 @@ salvage_reader::step salvage_reader::on_end_mark() {
     return std::nullopt;
   }
   is_behind_data_ = false; // whatever stands there
-  return lose_from(offset_, "there is more behind the end");
+  return lose_from(offset_, "there is more after the end");
 }
 
 // Everything up to the next chunk whose CRC holds, or to the end.

@@ -2,7 +2,7 @@
 // anywhere.
 //
 //   record ──sound──> told, or walked through (chunk)          damage ──> `unreadable`, with its place and the reason
-//                                                                 └──> on behind it: at the next record if one stands
+//                                                                 └──> on after it: at the next record if one stands
 //                                                                      there, else at the next chunk whose CRC holds
 //
 // Unlike stream_reader it gives nothing up for one wrong byte, and asks for no order of the records: whoever reads
@@ -27,7 +27,7 @@ struct unreadable {
   std::uint64_t offset = 0; // in the file
   std::uint64_t bytes = 0;
   bool is_cut = false;            // the file ends without its end: it is being written, or its writer was killed
-  bool may_hold_messages = false; // false: only the index behind the messages, or nothing at all
+  bool may_hold_messages = false; // false: only the index after the messages, or nothing at all
   std::string why;
 };
 
@@ -73,7 +73,7 @@ private:
   std::uint64_t window_offset_ = 0;
   std::size_t window_bytes_ = 0;
   std::uint64_t offset_;           // of the next record
-  std::uint64_t next_offset_ = 0;  // behind the record that is being looked at
+  std::uint64_t next_offset_ = 0;  // after the record that is being looked at
   byte_view chunk_;                // what is left of the records in a chunk
   bool is_compressed_ = false;     // they stand in unpacked_
   std::uint64_t chunk_offset_ = 0; // of its record

@@ -25,7 +25,7 @@ public:
   }
 
 private:
-  // The last chunk that was read; its index entry is complete when the first record behind its message index comes.
+  // The last chunk that was read; its index entry is complete when the first record after its message index comes.
   struct open_chunk {
     chunk_index_entry entry;
     std::uint32_t crc_after = 0; // of the file up to the end of the chunk

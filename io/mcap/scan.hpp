@@ -2,7 +2,7 @@
 //
 // Pure over a byte source: nothing is changed here. A torn last record is left out, a torn last chunk as a whole (its
 // CRC can not be checked), and so is a last record that fails its checks and reaches the end of the file. Damage with
-// more data behind it is an error: cutting there would lose what can still be read.
+// more data after it is an error: cutting there would lose what can still be read.
 // Errors: those of stream_reader, and unsupported for attachments. Thread: one at a time.
 // Source: MCAP specification, sections "Data Section" and "Summary Section".
 #pragma once

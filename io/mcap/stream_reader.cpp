@@ -72,7 +72,7 @@ stream_reader::step stream_reader::step_end() {
   return reader_.at_end().and_then([this](bool at_end) -> step {
     const std::uint64_t file_bytes = end_offset_ + magic.size();
     if (!at_end) {
-      return tl::make_unexpected(reader_.failure(errc::malformed, file_bytes, "bytes behind the end of the file"));
+      return tl::make_unexpected(reader_.failure(errc::malformed, file_bytes, "bytes after the end of the file"));
     }
     return item{end_of_file{file_bytes}};
   });
@@ -92,10 +92,10 @@ stream_reader::step stream_reader::on_record(const raw_record& raw) {
     return on_content(raw);
   case opcode::message:
   case opcode::metadata:
-    return in_data ? on_content(raw) : malformed(raw, "data behind the data section");
+    return in_data ? on_content(raw) : malformed(raw, "data after the data section");
   case opcode::chunk: {
     if (!in_data) {
-      return malformed(raw, "data behind the data section");
+      return malformed(raw, "data after the data section");
     }
     auto opened = chunk_cursor::open(reader_, raw, memory_);
     if (!opened) {
@@ -106,7 +106,7 @@ stream_reader::step stream_reader::on_record(const raw_record& raw) {
   }
   case opcode::message_index:
   case opcode::attachment:
-    return in_data ? step{std::nullopt} : malformed(raw, "data behind the data section");
+    return in_data ? step{std::nullopt} : malformed(raw, "data after the data section");
   case opcode::data_end:
     return in_data ? on_data_end(raw) : malformed(raw, "second end of the data section");
   case opcode::chunk_index:

@@ -7,7 +7,7 @@
 //   out.add(restarts, {{"actor", name}});
 //
 // A family is begun once and its samples follow it; one without samples is left out. Names are the caller's: letters,
-// digits and underlines, with the base unit at the end and `_total` behind a counter. Values of labels may be any text.
+// digits and underlines, with the base unit at the end and `_total` after a counter. Values of labels may be any text.
 // Errors: none. Thread: as any value.
 // Source: prometheus.io, "Exposition formats" (text-based format) and "Metric and label naming".
 #pragma once

@@ -12,7 +12,7 @@ namespace godwit::io::sqlite {
 
 namespace {
 
-// SQLite gives memory for this and, behind it, for the real file.
+// SQLite gives memory for this and, after it, for the real file.
 struct fault_file {
   sqlite3_file base;
   const char* path; // SQLite keeps it until the file is closed; null for a temporary file

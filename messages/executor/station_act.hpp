@@ -28,7 +28,7 @@ enum class act_kind {
   stop,     // disarm, return, land, terminate: it ends what the vehicle does
   stream,   // sticks, positions, attitudes: many a second
   command,  // whatever else moves the vehicle: modes, speeds, heights
-  configure // parameters, home, a restart: only of a vehicle that stands disarmed, and it is looked at anew behind it
+  configure // parameters, home, a restart: only of a vehicle that stands disarmed, and it is looked at anew after it
 };
 
 constexpr auto enum_names(act_kind) {

@@ -24,7 +24,7 @@ struct station {
   bool operator==(const station&) const = default;
 };
 
-// Fly the mission from item FIRST to item LAST. The items were looked at: both are in the plan, FIRST is not behind
+// Fly the mission from item FIRST to item LAST. The items were looked at: both are in the plan, FIRST is not after
 // LAST. Whether the vehicle is ready and armed is the executor's to say. Answered with start_answer.
 struct start_mission {
   std::uint64_t key = 0; // new for each start that is meant

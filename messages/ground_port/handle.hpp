@@ -24,7 +24,7 @@ using handle = runtime::mailbox<runtime::tells<executor::start_answer>, runtime:
                                 runtime::tells<plan_judged>, runtime::tells<executor::act_resolved>,
                                 runtime::asks<get_port, port_description>>;
 
-// What the vehicle says: the messages that are forwarded. Give this one to whoever listens for it.
+// What the vehicle reports: the messages that are forwarded. Give this one to whoever listens for it.
 using telemetry_handle =
     runtime::mailbox<runtime::tells<io::mavlink::heartbeat>, runtime::tells<io::mavlink::sys_status>,
                      runtime::tells<io::mavlink::system_time>, runtime::tells<io::mavlink::gps_raw_int>,

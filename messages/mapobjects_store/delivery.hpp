@@ -60,7 +60,7 @@ struct batch {
   destination to = destination::observations;
   std::vector<observation> observations; // in the order in which they were made; empty for ignored items
   std::vector<ignored_item> ignored_items;
-  std::uint64_t pending_left = 0; // of this mission and destination, behind this batch
+  std::uint64_t pending_left = 0; // of this mission and destination, after this batch
   map_failure failure = map_failure::none;
   std::string error;
   static constexpr auto fields =

@@ -140,7 +140,7 @@ struct service_status {
   bool may_deliver = true;    // false: a delivery for this mission was answered with 401 or 403, and waits for a person
   std::string refused;        // why the last mission that was asked for was not taken; empty: it was
   std::string refused_sample; // the beginning of what came instead of one, at most 1 KiB; kept over restarts
-  std::uint64_t lost_reports = 0; // of progress, that were never delivered; what came behind them was
+  std::uint64_t lost_reports = 0; // of progress, that were never delivered; what came after them was
   static constexpr auto fields = io::table(
       "mission_client.service_status", io::field("mission_id", &service_status::mission_id),
       io::field("revision", &service_status::revision), io::field("schema_version", &service_status::schema_version),

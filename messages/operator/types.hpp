@@ -16,14 +16,14 @@ namespace godwit::operators {
 enum class command_kind {
   start,       // fly the plan that is ready
   pause,       // hold where it is
-  resume,      // go on with the mission
+  resume,      // continue the mission
   come_home,   // return, and end the mission
-  hand_back,   // after a takeover or a failsafe: the mission has the vehicle again
+  hand_back,   // after a takeover or a failsafe: release the vehicle to the mission
   acknowledge, // fly although preflight report `report` is degraded
   check,       // look at the preflight checks anew
   go_to,       // fly to `place` now, and stay there
-  cancel,      // of the last go_to: the mission goes on with its first item that is not done
-  insert,      // a waypoint at `place`, behind item `after`
+  cancel,      // of the last go_to: the mission continues with its first item that is not done
+  insert,      // a waypoint at `place`, after item `after`
   end_flight,  // whose vehicle does not come back, or stands: the mission is over, and another vehicle may be taken
   pull         // on the ground: ask the service again, for a mission that it refused or a map whose pull failed
 };

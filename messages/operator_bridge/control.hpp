@@ -39,7 +39,7 @@ struct change_control {
 struct control_answer {
   bool is_done = false;
   std::string reason; // sentence for people; empty when done
-  std::string holder; // who has control behind it; empty: nobody
+  std::string holder; // who has control after it; empty: nobody
   static constexpr auto fields =
       io::table("operator_bridge.control_answer", io::field("is_done", &control_answer::is_done),
                 io::field("reason", &control_answer::reason), io::field("holder", &control_answer::holder));

@@ -58,17 +58,18 @@ void add_flight_options(CLI::App& command, flight_drill which, flight_drill_opti
             "Which flights: A..B or A")
         ->default_str("1..100")
         ->check([](const std::string& text) {
-          return seed_range_from(text) ? std::string() : "seeds are A..B or A, and A is not behind B: " + text;
+          return seed_range_from(text) ? std::string() : "seeds are A..B or A, and A is not after B: " + text;
         });
     if (which == flight_drill::simulate)
       command
-          .add_option("--stream-hz", given.stream_hz, "Positions a second that the vehicle tells; as fast as its world")
+          .add_option("--stream-hz", given.stream_hz,
+                      "Positions a second that the vehicle reports; as fast as its world")
           ->check(CLI::Range(0.1, 1000.0));
     command.add_option("--without", given.without,
                        "Leaves out fault N of each flight: 0 a bad line, 1 and up in order");
     return;
   }
-  command.add_option("--only", given.only, "Flies this case and tells its story");
+  command.add_option("--only", given.only, "Flies this case and prints its events");
   command.add_option("--sample", given.sample, "Flies so many of the cases")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000}));
   command.add_option("--sample-seed", given.sample_seed, "Draws which")->capture_default_str();

@@ -54,7 +54,7 @@ exit_code run(arguments given) {
 
 command add_look_command(CLI::App& to) {
   const auto given = std::make_shared<arguments>();
-  auto* const app = to.add_subcommand("look", "Runs the detector over a recording, and shows what it sees and why not");
+  auto* const app = to.add_subcommand("look", "Runs the detector over a recording, and shows what it finds and misses");
   auto& wanted = given->wanted;
   app->add_option("FILE", given->from, "A recording; or a camera as for probe, for --seconds (10)")->required();
   app->add_option("--out", wanted.folder, "Draws pictures into this folder, which is made and must be empty");
@@ -66,7 +66,7 @@ command add_look_command(CLI::App& to) {
   app->add_option("--most", wanted.most_drawn, "Draws so many at most")
       ->check(CLI::Range(1, 10'000))
       ->capture_default_str();
-  app->add_option("--from", wanted.begin_s, "Begins so many seconds behind the first picture")
+  app->add_option("--from", wanted.begin_s, "Begins so many seconds after the first picture")
       ->check(CLI::Range(0.0, longest_s));
   app->add_option("--seconds", wanted.seconds, "Ends after so many; 0: at the end")->check(CLI::Range(0.0, longest_s));
   return {app, [given] { return run(*given); }};

@@ -58,7 +58,7 @@ command add_probe_command(CLI::App& to) {
     int seconds = 5;
   };
   const auto given = std::make_shared<arguments>();
-  auto* const app = to.add_subcommand("probe", "Opens a camera, and says what it sends or why it does not");
+  auto* const app = to.add_subcommand("probe", "Opens a camera, and reports what it sends or why it sends nothing");
   app->add_option("URI", given->uri, "v4l2:///dev/video0, rtsp://..., file:///..., test://ball")->required();
   app->add_option("--seconds", given->seconds, "Watches for so long")
       ->check(CLI::Range(1, 3600))

@@ -51,7 +51,7 @@ exit_code serve_daemon() {
 } // namespace
 
 command add_session_command(CLI::App& to) {
-  return {to.add_subcommand("session", "What godwitd starts; nothing for people"), serve_daemon};
+  return {to.add_subcommand("session", "Started by godwitd; not for people"), serve_daemon};
 }
 
 } // namespace godwit::eyes

@@ -10,7 +10,7 @@ using namespace godwit::sim;
 
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
-  CLI::App app{"Plays the world outside of godwit: vehicles that ground stations can talk to, with faults on demand.",
+  CLI::App app{"Simulates the world around godwit: vehicles and a missions service, with faults on demand.",
                "godwit-sim"};
   app.footer("godwit-sim COMMAND --help shows the options of a command, with examples.");
   app.require_subcommand(1);

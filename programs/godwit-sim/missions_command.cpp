@@ -62,9 +62,7 @@ void add_service_options(CLI::App& app, missions_arguments& given) {
       ->required()
       ->allow_extra_args(false);
   app.add_flag("--allow-partial", given.allow_partial, "Takes what can be taken of a mission in another format");
-  app.add_option("--db", given.database, "What it knows and was told; made where it is missing")
-      ->type_name("FILE")
-      ->required();
+  app.add_option("--db", given.database, "Its database; created where it is missing")->type_name("FILE")->required();
 }
 
 void add_world_options(CLI::App& app, missions_arguments& given) {
@@ -87,7 +85,7 @@ void add_world_options(CLI::App& app, missions_arguments& given) {
 } // namespace
 
 command add_missions_command(CLI::App& to) {
-  auto* const app = to.add_subcommand("missions", "A missions service, with faults on demand.");
+  auto* const app = to.add_subcommand("missions", "Simulates a missions service, with faults on demand.");
   const auto given = std::make_shared<missions_arguments>();
   add_service_options(*app, *given);
   add_world_options(*app, *given);

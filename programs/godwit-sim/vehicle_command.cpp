@@ -177,7 +177,7 @@ void add_fault_options(CLI::App& app, vehicle_arguments& given) {
 } // namespace
 
 command add_vehicle_command(CLI::App& to) {
-  auto* const app = to.add_subcommand("vehicle", "Vehicles that any MAVLink ground station can talk to.");
+  auto* const app = to.add_subcommand("vehicle", "Simulates vehicles for any MAVLink ground station.");
   const auto given = std::make_shared<vehicle_arguments>();
   add_vehicle_options(*app, *given);
   add_fault_options(*app, *given);

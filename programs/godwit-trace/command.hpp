@@ -17,7 +17,7 @@ using programs::exit_code;
 struct command {
   CLI::App* app = nullptr; // belongs to the command line
   std::function<exit_code(console&)> run;
-  // What it prints is long, comes to an end, and is for people: on a terminal a pager shows it. Asked behind the
+  // What it prints is long, comes to an end, and is for people: on a terminal a pager shows it. Asked after the
   // options; none: never.
   std::function<bool()> is_paged = {};
 };

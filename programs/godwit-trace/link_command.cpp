@@ -100,7 +100,7 @@ exit_code run(const arguments& given, console& to) {
 } // namespace
 
 command add_link_command(CLI::App& to) {
-  auto* const app = to.add_subcommand("link", "Shows live what arrives on a MAVLink link.");
+  auto* const app = to.add_subcommand("link", "Shows what arrives on a MAVLink link, live.");
   const auto given = std::make_shared<arguments>();
   app->add_option("URI", given->where, "The link, such as udpin://0.0.0.0:14550")->required();
   add_print_options(*app, given->print);
@@ -112,7 +112,7 @@ command add_link_command(CLI::App& to) {
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}));
   app->add_option("--tlog", given->tlog, "Records all that arrives into this file, without signatures and keys")
       ->type_name("FILE");
-  app->add_option("--key", given->key, "Shows only what is signed with the key in this file, and tells of the rest")
+  app->add_option("--key", given->key, "Shows only what is signed with the key in this file, and counts the rest")
       ->type_name("FILE");
   auto* const on = app->add_flag("--heartbeat", given->heartbeat, "Sends a heartbeat each second");
   app->add_flag("--no-heartbeat", given->no_heartbeat, "Sends nothing, also on udpout")->excludes(on);

@@ -44,7 +44,7 @@ struct console {
   output& words;
   bool is_terminal = false; // `out` is one, on which a table may be drawn over the last
 
-  // One sentence, at once, behind the name of the program.
+  // One sentence, at once, after the name of the program.
   void say(std::string_view sentence);
 };
 

@@ -128,7 +128,7 @@ CLI::App* add(CLI::App& to, const char* name, const char* about, const std::shar
 
 command add_upload_command(CLI::App& to) {
   const auto given = std::make_shared<arguments>();
-  auto* const app = add(to, "upload", "Brings a plan from a file to the vehicle.", given);
+  auto* const app = add(to, "upload", "Uploads a plan from a file to the vehicle.", given);
   app->add_option("FILE", given->file, "The plan")->required();
   app->footer(std::string(about_files) + upload_examples);
   return {app, [given](console& into) { return run(*given, into, std::nullopt); }};
@@ -136,8 +136,8 @@ command add_upload_command(CLI::App& to) {
 
 command add_download_command(CLI::App& to) {
   const auto given = std::make_shared<arguments>();
-  auto* const app = add(to, "download", "Writes the plan that the vehicle holds into a file.", given);
-  app->add_option("FILE", given->file, "Where to write it; a file that is there is replaced")->required();
+  auto* const app = add(to, "download", "Downloads the plan of the vehicle into a file.", given);
+  app->add_option("FILE", given->file, "Where to write it; an existing file is replaced")->required();
   app->footer(std::string(about_files) + download_examples);
   return {app, [given](console& into) { return run(*given, into, vehicle_link::download_plan{type_of(given->type)}); }};
 }

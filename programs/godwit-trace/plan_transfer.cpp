@@ -53,7 +53,7 @@ std::optional<std::string> wait_for_vehicle(vehicle_session& session, const plan
     if (session.core().describe(now).connected)
       return std::nullopt;
     if (is_readable(stop))
-      return "stopped before a vehicle was heard";
+      return "stopped before a vehicle was found";
     if (now.monotonic_ns >= until_ns) {
       const auto why = session.core().health(now).reason;
       const auto& link = session.link_status();

@@ -59,7 +59,7 @@ void camera_trial::judge(std::int64_t now_ns) {
   }
   if (now_ns - began_ns_ < patience_ns)
     return;
-  known_ = {camera_state::not_ready, status_ ? status_->reason : "godwit-eyes has said nothing since it was started"};
+  known_ = {camera_state::not_ready, status_ ? status_->reason : "godwit-eyes has sent nothing since it was started"};
   if (!status_)
     finish(now_ns + retry_ns);
 }

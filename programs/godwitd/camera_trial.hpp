@@ -22,7 +22,7 @@ namespace godwit::daemon {
 class camera_trial {
 public:
   static constexpr std::int64_t patience_ns = 8'000'000'000; // RTSP asks three times and waits for a key frame
-  static constexpr std::int64_t retry_ns = 5'000'000'000;    // behind a helper that has ended
+  static constexpr std::int64_t retry_ns = 5'000'000'000;    // after a helper that has ended
   static constexpr std::int64_t ready_lasts_ns = 60'000'000'000;
 
   // What starts and ends a run of the helper; called by who looks, and must not block.

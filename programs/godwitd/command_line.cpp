@@ -18,12 +18,13 @@ using runtime::exit_code;
 
 constexpr const char* about =
     "The onboard daemon: fetches a mission, checks it, uploads it to the autopilot and flies it, follows its progress, "
-    "takes sightings, and delivers what is owed to the missions service, also over crashes. It starts a flight when it "
-    "is told to (`godwitd ctl start`, or a ground station) and arms nothing, unless its settings say otherwise.";
+    "records sightings, and delivers what is pending to the missions service, also after crashes. It starts a flight "
+    "on "
+    "command (`godwitd ctl start`, or a ground station) and arms nothing, unless its settings allow it.";
 
 constexpr const char* examples =
-    R"(Each option with a value is also a variable of the environment: --token-file is GODWIT_TOKEN_FILE. The command line
-stands above the environment, that above the file of --config.
+    R"(Each option with a value is also an environment variable: --token-file is GODWIT_TOKEN_FILE. The command line
+overrides the environment, which overrides the file of --config.
 
 Examples:
   godwitd --service https://missions.example.org --token-file token --vehicle udpin://0.0.0.0:14550 \
@@ -38,10 +39,10 @@ Examples:
   godwitd operator add anna --role operator
   godwitd convert survey.plan survey.json
 
-Signals: SIGTERM and SIGINT end it in order, a second one at once; SIGHUP opens the log file anew.
+Signals: SIGTERM and SIGINT shut it down cleanly, a second one at once; SIGHUP reopens the log file.
 
-Exit codes: 0 done, 1 it could not be done, 2 a mistake on the command line or in the configuration, 70 and 71 start it
-again, 72 a person has to look at what is on disk before it is started again.)";
+Exit codes: 0 success, 1 failure, 2 an error on the command line or in the configuration, 70 and 71 restart it,
+72 a person has to look at the files on disk before it is restarted.)";
 
 constexpr const char* convert_examples = R"(Formats, by the ending: .json (godwit), .plan (QGroundControl),
 .waypoints and .txt (QGC WPL 110), .geojson.
@@ -69,10 +70,10 @@ void add_options(CLI::App& app, invocation& to) {
   }
   app.add_flag_callback(
       "--check-config", [&to] { to.what = task::check_config; },
-      "Says what would keep godwitd from starting with this configuration, and ends");
+      "Reports what would keep godwitd from starting with this configuration, and exits");
   app.add_flag_callback(
       "--outbox", [&to] { to.what = task::list_outbox; },
-      "Lists what is owed to the service, also beside a running godwitd, and ends");
+      "Lists what is still to be delivered to the service, also beside a running godwitd, and exits");
   app.add_flag("--json", to.json, "Lists and answers as JSON");
   app.set_version_flag("--version", std::string("godwitd ") + GODWIT_VERSION);
 }
@@ -84,20 +85,23 @@ struct verb_row {
 };
 
 constexpr verb_row verbs[] = {
-    {operators::command_kind::start, "start", "Flies the plan that is ready."},
+    {operators::command_kind::start, "start", "Starts the flight of the plan that is ready."},
     {operators::command_kind::pause, "pause", "Holds where it is."},
-    {operators::command_kind::resume, "resume", "Goes on with the mission; on the ground: prepares the rest of it."},
+    {operators::command_kind::resume, "resume", "Continues the mission; on the ground: prepares the rest of it."},
     {operators::command_kind::come_home, "come-home", "Returns, and ends the mission."},
-    {operators::command_kind::hand_back, "hand-back", "After a pilot or a failsafe: godwit has the vehicle again."},
-    {operators::command_kind::check, "check", "Looks at the preflight checks anew."},
+    {operators::command_kind::hand_back, "hand-back",
+     "After a takeover or a failsafe: releases the vehicle to godwit again."},
+    {operators::command_kind::check, "check", "Repeats the preflight checks."},
     {operators::command_kind::pull, "pull",
      "Asks the service again, for a mission it refused or a map whose pull failed."},
-    {operators::command_kind::acknowledge, "ack", "Flies although this preflight report is degraded."},
+    {operators::command_kind::acknowledge, "ack",
+     "Accepts this degraded preflight report, so that the flight may start."},
     {operators::command_kind::go_to, "goto",
-     "Flies there, clear of the fences, and stays; `cancel` goes on with the mission."},
-    {operators::command_kind::cancel, "cancel", "Of the last goto: goes on with the first item that is not done."},
+     "Flies there, clear of the fences, and holds; `cancel` continues the mission."},
+    {operators::command_kind::cancel, "cancel",
+     "Cancels the last goto: continues with the first item that is not done."},
     {operators::command_kind::end_flight, "end-flight",
-     "Ends a flight whose vehicle does not come back, or stands disarmed: another vehicle may be taken then."},
+     "Ends a flight whose vehicle does not come back, or is disarmed: another vehicle may be used then."},
     {operators::command_kind::insert, "insert", "Inserts a waypoint into the mission."}};
 
 // "47.398,8.546,40"; nothing: it is no place.
@@ -128,22 +132,23 @@ CLI::Option* add_place(CLI::App& command, invocation& to) {
 // At a place, or at a point of interest that was confirmed, of which nobody but a person says how high.
 void add_insert(CLI::App& command, invocation& to) {
   auto* const place = add_place(command, to);
-  auto* const point = command.add_option("--point", to.point, "At the place of this point of interest");
+  auto* const point = command.add_option("--point", to.point, "At the position of this point of interest");
   auto* const altitude = command.add_option_function<double>(
       "--altitude", [&to](double metres) { to.said.place.emplace().altitude_m = metres; },
-      "Of a waypoint at a point: metres above the place of take-off");
+      "With --point: metres above the place of take-off");
   point->check(CLI::PositiveNumber)->needs(altitude)->excludes(place);
   altitude->needs(point);
   command.add_option("--after", to.said.after, "The id of an item (the last one that is done)");
 }
 
 void add_points(CLI::App& ctl, invocation& to) {
-  auto* const points = ctl.add_subcommand("points", "What may be worth a look: points of interest.");
+  auto* const points = ctl.add_subcommand("points", "Lists the points of interest.");
   points->fallthrough();
   points->callback([&to] { to.what = task::list_points; });
   constexpr std::pair<scan_controller::decision, const char*> decisions[] = {
-      {scan_controller::decision::confirm, "Of a point of interest: it is one."},
-      {scan_controller::decision::decline, "Of a point of interest: such things there are ignored from now on."}};
+      {scan_controller::decision::confirm, "Confirms a point of interest."},
+      {scan_controller::decision::decline,
+       "Declines a point of interest: such objects there are ignored from now on."}};
   for (const auto& [says, help] : decisions) {
     auto* const command = ctl.add_subcommand(std::string(io::name_of(says)), help);
     command->fallthrough();
@@ -193,7 +198,7 @@ void add_operators(CLI::App& ctl, invocation& to) {
   auto* const login = ctl.add_subcommand("login", "Prints a link that logs in once, within five minutes.");
   login->fallthrough();
   login->callback([&to] { to.what = task::make_link; });
-  auto* const audit = ctl.add_subcommand("audit", "Who said what, when, and what came of it.");
+  auto* const audit = ctl.add_subcommand("audit", "Lists who commanded what, when, and with which result.");
   audit->fallthrough();
   audit->add_option("--rows", to.rows, "The newest, 1 to 200 (50)")->check(CLI::Range(1, 200));
   audit->add_option("--before", to.before, "Rows before this number, to page on")->check(CLI::PositiveNumber);
@@ -225,14 +230,15 @@ void add_words(CLI::App& ctl, invocation& to) {
 }
 
 void add_control(CLI::App& app, invocation& to) {
-  auto* const ctl = app.add_subcommand("ctl", "Talks to a running godwitd over its control socket.");
+  auto* const ctl =
+      app.add_subcommand("ctl", "Commands a running godwitd over its control socket, and shows its status.");
   ctl->require_subcommand(1);
   ctl->fallthrough();
-  auto* const status = ctl->add_subcommand("status", "How far it is: mission, map, deliveries, vehicle.");
+  auto* const status = ctl->add_subcommand("status", "Shows the status: mission, map, deliveries, vehicle.");
   status->fallthrough();
   status->callback([&to] { to.what = task::ask_status; });
   auto* const retry = ctl->add_subcommand(
-      "outbox-retry", "Tries what is pending now, and queues again what was orphaned or has expired.");
+      "outbox-retry", "Delivers now what is pending, and queues again what is orphaned or has expired.");
   retry->fallthrough();
   retry->add_option("ID", to.outbox_key, "The key of one row (all)");
   retry->callback([&to] { to.what = task::retry_outbox; });
@@ -240,9 +246,9 @@ void add_control(CLI::App& app, invocation& to) {
   add_operators(*ctl, to);
   add_points(*ctl, to);
   auto* const sign = ctl->add_subcommand(
-      "sign", "Gives the key of --signing-key to the autopilot, disarmed, over a line that is marked secure.");
+      "sign", "Sends the key of --signing-key to the disarmed autopilot, over a line that is marked secure.");
   sign->fallthrough();
-  sign->add_flag("--off", to.ends_signing, "Takes the key from it: it signs no more, and believes everybody");
+  sign->add_flag("--off", to.ends_signing, "Removes the key: the autopilot signs no longer, and accepts everybody");
   sign->callback([&to] { to.what = task::set_up_signing; });
   auto* const rescue = ctl->add_subcommand(
       "rescue-journal",
@@ -258,14 +264,14 @@ struct account_row {
 };
 
 constexpr account_row account_acts[] = {
-    {accounts::operator_act::add, "add", "Makes an account; asks for its password, or reads it from standard input."},
+    {accounts::operator_act::add, "add", "Adds an account; asks for its password, or reads it from standard input."},
     {accounts::operator_act::passwd, "passwd", "Asks for a new password; sessions with the old one end."},
-    {accounts::operator_act::token, "token", "Prints a new token for a program, once; the one before is good no more."},
+    {accounts::operator_act::token, "token", "Prints a new token for a program, once; the one before becomes invalid."},
     {accounts::operator_act::remove, "remove", "Removes an account; its sessions end."},
-    {accounts::operator_act::list, "list", "Who there is."}};
+    {accounts::operator_act::list, "list", "Lists the accounts."}};
 
 void add_accounts(CLI::App& app, invocation& to) {
-  auto* const all = app.add_subcommand("operator", "Who may talk to godwit from afar: the accounts in a file.");
+  auto* const all = app.add_subcommand("operator", "Manages the accounts of remote operators, in a file.");
   all->require_subcommand(1);
   all->fallthrough();
   for (const auto& row : account_acts) {
@@ -299,11 +305,11 @@ std::vector<std::string> vehicle_names() {
 }
 
 void add_convert(CLI::App& app, invocation& to) {
-  auto* const convert = app.add_subcommand("convert", "Turns a mission from one file format into another.");
+  auto* const convert = app.add_subcommand("convert", "Converts a mission from one file format to another.");
   convert->fallthrough();
-  convert->add_option("IN", to.files.in, "The mission that is there")->required();
-  convert->add_option("OUT", to.files.out, "Where to write it; a file that is there is replaced")->required();
-  convert->add_option("--for", to.files.vehicle, "Which vehicle is to fly it (what a .plan says)")
+  convert->add_option("IN", to.files.in, "The mission to read")->required();
+  convert->add_option("OUT", to.files.out, "Where to write it; an existing file is replaced")->required();
+  convert->add_option("--for", to.files.vehicle, "The vehicle that is to fly it (as the .plan says)")
       ->check(CLI::IsMember(vehicle_names()));
   convert->footer(convert_examples);
   convert->callback([&to] { to.what = task::convert; });
@@ -326,7 +332,7 @@ tl::expected<invocation, exit_code> read_command_line(int argc, const char* cons
       app.exit(error);
       return tl::make_unexpected(exit_code::ok);
     }
-    say(std::string(error.what()) + "; godwitd --help shows what there is");
+    say(std::string(error.what()) + "; see godwitd --help");
     return tl::make_unexpected(exit_code::usage);
   }
   return result;

@@ -1,4 +1,4 @@
-// What the parts are made with, and how they end. What is opened before: composition_files.cpp; behind:
+// What the parts are made with, and how they end. What is opened before: composition_files.cpp; after:
 // composition_open.cpp.
 #include "programs/godwitd/composition.hpp"
 

@@ -1,7 +1,7 @@
 // Counts the runs that did not end in order, so that godwitd does not start again and again into a state that kills it.
 //
 // A small file beside the journal: the boot's id, then a line for each run that is under way or has ended abnormally,
-// with its start in milliseconds of this boot, and " fast" and the time of the end behind it when it ended by force in
+// with its start in milliseconds of this boot, and " fast" and the time of the end after it when it ended by force in
 // flight. A run that ends
 // in order takes its line away. When there are too many lines of late, the next run does not begin before a person has
 // removed the file or the time has passed; while a vehicle flies it begins in any case, in the end with what flies
@@ -41,7 +41,7 @@ struct start_verdict {
 
 class crash_loop_guard {
 public:
-  // In flight: behind so many abnormal ends a run is reduced.
+  // In flight: after so many abnormal ends a run is reduced.
   static constexpr std::size_t max_whole_in_flight = 10;
   // Behind one fast end there is no other one for so long.
   static constexpr std::chrono::minutes fast_end_counts{10};

@@ -43,7 +43,7 @@ std::string audit_text(const json& answer) {
     result = "older rows: godwitd ctl audit --before " + std::to_string(rows.front().value("number", std::uint64_t{0}));
   for (const auto& row : rows)
     result += (result.empty() ? "" : "\n") + row_text(row);
-  return result.empty() ? "nobody has said anything" : result;
+  return result.empty() ? "there are no entries" : result;
 }
 
 std::string control_text(const json& answer) {

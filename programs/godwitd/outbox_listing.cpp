@@ -97,7 +97,7 @@ std::string table_of(const outbox_listing& listing, std::int64_t now_ns) {
     if (!row.last_error.empty())
       result += "    " + row.last_error + '\n';
   }
-  result += listing.rows.empty() ? "nothing is owed" : std::to_string(listing.rows.size()) + " owed";
+  result += listing.rows.empty() ? "nothing is pending" : std::to_string(listing.rows.size()) + " pending";
   if (listing.is_cut)
     result += ", and more that are not shown";
   return result + "; " + std::to_string(listing.delivered) + " delivered and still kept\n";

@@ -325,7 +325,7 @@ checked read_fleet(const json& given, daemon_settings& to) {
   if (where.empty())
     return {};
   if (!to.flies)
-    return wrong("broker", "a run on the ground has nothing to tell a broker; leave it out");
+    return wrong("broker", "a run on the ground has nothing for a broker; leave it out");
   auto parsed = io::mqtt::parse_broker_uri(where);
   if (!parsed)
     return wrong("broker", parsed.error());

@@ -5,7 +5,7 @@
 //   vehicle_link, executor, health, scan_controller ──> telemetry_stream ── hub ──> subscribers
 //   the same, failsafe, hub ──> fleet_link ── broker_port ══ broker
 //
-// Made behind all others, whom they watch. Thread: one owner, before the actors start. OUTSIDE outlives the actors, and
+// Made after all others, whom they watch. Thread: one owner, before the actors start. OUTSIDE outlives the actors, and
 // its functions may be called by any thread.
 #pragma once
 

@@ -16,7 +16,7 @@ enum class journal_errc {
   read_only,         // the file or its folder can not be written
   disk_full,         // no space left
   io,                // the disk reported an error
-  queue_full,        // the writer is behind by its bound; nothing was taken
+  queue_full,        // the writer is late by its bound; nothing was taken
   stale_incarnation, // a crashed incarnation tried to write after its successor had started
   closed,            // the journal is shutting down
 };

@@ -102,7 +102,7 @@ tl::expected<std::string, journal_error> journal_target::rescue() {
   const auto fresh = path_ + rescued_suffix;
   if (std::filesystem::exists(fresh))
     return tl::unexpected(
-        journal_error{journal_errc::io, fresh, "it is there already", "Move it away, and say it again."});
+        journal_error{journal_errc::io, fresh, "it is there already", "Move it away, and try again."});
   auto copied = copy_to(fresh);
   if (!copied)
     return tl::unexpected(std::move(copied.error()));

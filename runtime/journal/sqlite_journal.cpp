@@ -21,7 +21,7 @@ journal_error refused(refusal why, const std::string& path, const std::string& a
             "actor " + actor + " has been restarted; this is its older incarnation",
             "Nothing to do: the new incarnation goes on from what was durable."};
   case refusal::full:
-    return {journal_errc::queue_full, path, "the writer is behind by its bound",
+    return {journal_errc::queue_full, path, "the writer is late by its bound",
             "Look at the journal's health: the disk is failing or too slow."};
   case refusal::closed:
     break;

@@ -58,7 +58,7 @@ void recorded_run::add(const delivery& each) {
 
 void recorded_run::finish() {
   std::ranges::stable_sort(outputs_, {}, &recorded_message::id);
-  const auto again = std::ranges::unique(outputs_, {}, &recorded_message::id); // delivered once more behind a crash
+  const auto again = std::ranges::unique(outputs_, {}, &recorded_message::id); // delivered once more after a crash
   outputs_.erase(again.begin(), again.end());
 }
 

@@ -60,7 +60,7 @@ tl::expected<void, journal_error> simulated_journal::submit(journal_write&& writ
   if (refusing_) {
     ++counted_.refused;
     return tl::unexpected(
-        journal_error{journal_errc::queue_full, "simulation", "the writer is behind by its bound", "stop refusing"});
+        journal_error{journal_errc::queue_full, "simulation", "the writer is late by its bound", "stop refusing"});
   }
   if (is_broken(write))
     failed_.push_back(std::move(write));

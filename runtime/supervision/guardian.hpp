@@ -4,7 +4,7 @@
 // It holds no decision of its own and never restarts; if it dies, the process ends. Who runs, and what follows when a
 // child can not be kept up, says the table of the supervisor; until it has said something, and while it is down, the
 // last table holds. A child with durable state is
-// started in two steps: the journal recovers it (behind everything that the dead incarnation had queued), then the
+// started in two steps: the journal recovers it (after everything that the dead incarnation had queued), then the
 // incarnation is made.
 //
 //   crash ──> leave(): mail parked ──> down ──> [journal: recover] ──> new incarnation, bind(): mail flows

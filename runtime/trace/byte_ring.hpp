@@ -1,6 +1,6 @@
 // A ring of bytes between one producing and one consuming thread, without locks.
 //
-// The memory is mapped twice, one copy behind the other, so that what is free and what is readable is always one piece:
+// The memory is mapped twice, one copy after the other, so that what is free and what is readable is always one piece:
 // a record never has to be split at the end. Thread: free_space, publish: the producer; readable, consume: the
 // consumer.
 #pragma once

@@ -1,4 +1,4 @@
-// What the journal costs: durable events with a real fdatasync behind each commit, snapshots, recovery.
+// What the journal costs: durable events with a real fdatasync after each commit, snapshots, recovery.
 //
 // The file lies in the current directory, which should be on the disk that is to be measured (not on tmpfs).
 #include <atomic>

@@ -2,7 +2,7 @@
 // orders that are not, and a test plants defects to show that they are found.
 //
 //   - it answers who has spoken to it and nobody else, and one event leads to a few messages and sentences only;
-//   - it acts at its deadlines, and has another or none behind each;
+//   - it acts at its deadlines, and has another or none after each;
 //   - after 10 s in which nothing comes it is idle and wants nothing, whatever it was doing;
 //   - an atomic vehicle holds the plan that was completed last: whole, of one station, until the next is complete;
 //   - no plan is longer than there is room for.

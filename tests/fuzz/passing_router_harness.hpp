@@ -2,7 +2,7 @@
 //
 //   - nothing of the mission protocol goes on to the vehicle, and no message that is on no list;
 //   - nothing goes on under the vehicle's own system id;
-//   - what a person means, and what configures, goes on only behind the executor's `pass`, and what it is silent about
+//   - what a person means, and what configures, goes on only after the executor's `pass`, and what it is silent about
 //     only where the failsafe was told first (a stop) or nothing of it moves the vehicle;
 //   - of reading no more goes on in a second than twice the budget: what was saved up, and a second's worth;
 //   - one event leads to a bounded number of effects.

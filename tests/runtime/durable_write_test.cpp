@@ -1,4 +1,4 @@
-// One handler, one write: what is decided together becomes durable together, and goes out behind it. Journals that are
+// One handler, one write: what is decided together becomes durable together, and goes out after it. Journals that are
 // slow, full, or can never take a write.
 #include <gtest/gtest.h>
 

@@ -223,7 +223,7 @@ TEST(hang, an_actor_that_hangs_is_replaced_and_its_successor_handles_the_later_m
   real_world w(false);
   w.fall_asleep();
   for (int i = 1; i <= 5; ++i)
-    w.gate->tell(w.bed, note{i}); // stranded behind the hanging handler
+    w.gate->tell(w.bed, note{i}); // stranded after the hanging handler
   EXPECT_TRUE(wait_for([&] { return w.sleeper_health().colour == health_colour::red || w.actors.restarts() > 0; }));
   w.wait_for_successor();
   EXPECT_TRUE(wait_for([&] { return w.sleeper_health().colour == health_colour::green; }));
@@ -255,7 +255,7 @@ TEST(hang, an_incarnation_that_wakes_up_does_not_take_the_requests_of_its_succes
   EXPECT_TRUE(wait_for([&] { return w.sleeper_counters().handled == 1; })) << "the successor has the request";
   w.book.open_latch.set_value();
   EXPECT_TRUE(wait_for([&] { return w.traced.list() == std::vector{outcome::fenced}; }));
-  w.gate->tell(w.bed, note{1}); // behind the end of the old one in time, not in order
+  w.gate->tell(w.bed, note{1}); // after the end of the old one in time, not in order
   EXPECT_TRUE(wait_for([&] { return w.heard(301); }));
   EXPECT_FALSE(wait_for([&] { return w.heard(-1); }, 200ms)) << "outcome unknown, though the successor lives";
   w.gate->tell(w.bed, hand_out{});

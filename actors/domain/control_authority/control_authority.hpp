@@ -47,7 +47,7 @@ enum class holder {
 inline constexpr std::int64_t order_is_expected_ns = 5'000'000'000;
 // MISSION_CURRENT comes once a second, and may be lost.
 inline constexpr std::int64_t end_is_told_within_ns = 4'000'000'000;
-// A MISSION_CURRENT that comes right behind the mode may have been sent before it.
+// A MISSION_CURRENT that comes right after the mode may have been sent before it.
 inline constexpr std::int64_t end_is_denied_after_ns = 500'000'000;
 
 // Between the texts of a failsafe and the mode that it changes, either way.

@@ -9,7 +9,7 @@
 //   Plane              landing                nothing
 //   Plane              any other              the same when the mission is complete
 //   PX4                return                 AUTO.RTL as the item begins
-//   PX4                any other              AUTO.LOITER when the mission is complete; behind a landing some of them
+//   PX4                any other              AUTO.LOITER when the mission is complete; after a landing some of them
 //                                             (a VTOL, for 0.2 s until its disarm), and nobody has asked for it
 //   by MAVLink's text  landing, return        nothing
 //   by MAVLink's text  any other              its first holding mode when the mission is complete
@@ -35,7 +35,7 @@ namespace godwit::flight {
 // In which a vehicle stands on the ground and begins nothing when somebody arms it.
 [[nodiscard]] std::optional<std::uint32_t> standing_mode(const mode_owner& whose);
 
-// MAV_CMD of a last item behind which what flies is on the ground: a landing or a return.
+// MAV_CMD of a last item after which what flies is on the ground: a landing or a return.
 [[nodiscard]] bool leads_down(std::uint16_t last_command);
 
 // LAST_COMMAND: MAV_CMD of the last item that moves the vehicle, at LAST_SEQUENCE.

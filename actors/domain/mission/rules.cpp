@@ -72,7 +72,7 @@ void add_report_problems(const progress_report& report, const std::string& point
   if (report.item_id.has_value() != report.item_index.has_value())
     problems.push_back({pointer, "has only one of item_id and item_index", "both or none"});
   if (settles_item(report.kind) && !report.item_id)
-    problems.push_back({pointer, "does not say which item", "item_id and item_index"});
+    problems.push_back({pointer, "does not name its item", "item_id and item_index"});
 }
 
 template <class Rows, class Id>

@@ -160,7 +160,7 @@ bool flight_context::returns_elsewhere() const {
 
 std::string flight_context::home_sentence() const {
   if (!keeps_home() || !is_home_told || !view.home())
-    return "the vehicle does not tell where its home is";
+    return "the vehicle does not report where its home is";
   const auto away_m = geo::distance_m(plan::point_of(*view.home()), plan::point_of(s.home->at));
   return "a return of the vehicle leads to a place " + std::to_string(std::lround(away_m)) +
          " m from the home of the mission";
@@ -234,7 +234,7 @@ tl::expected<plan::flight_plan, std::string> flight_context::plan_in_flight(cons
                                                                             std::size_t first_item, instant now) const {
   const auto where = setting(now);
   if (!where)
-    return tl::make_unexpected(std::string("the vehicle tells no position"));
+    return tl::make_unexpected(std::string("the vehicle reports no position"));
   if (auto why = why_out_of_limits(mission, first_item, now); !why.empty())
     return tl::make_unexpected(std::move(why));
   auto plans = plan::build_plans(mission, *where, going_on(mission, first_item));

@@ -142,9 +142,10 @@ bool flight_end::hold_where_mission_ended(effects& out) {
   if (!stands_at_end || !is_over(flight_.s.status.now) || flight_.has_person() || was_told_to_hold_)
     return false;
   was_told_to_hold_ = true;
-  out.emplace_back(announce{"the mission is over and the vehicle stands armed in its mission mode: it is told to hold. "
-                            "Disarm it before anybody comes near",
-                            true});
+  out.emplace_back(
+      announce{"the mission is over and the vehicle stands armed in its mission mode: it is commanded to hold. "
+               "Disarm it before anybody comes near",
+               true});
   tasks_.begin(out, task_kind::stand_by, {executor::stand_by{true}});
   return true;
 }

@@ -183,7 +183,7 @@ effects gcs_view::take_fence(const std::vector<io::mavlink::mission_item_int>& i
     out.emplace_back(announce{"the fence counts from the next flight on", true});
   if (borders.size() != items.size())
     out.emplace_back(
-        announce{"the fence is taken without its return point: returns lead where the mission says", true});
+        announce{"the fence is used without its return point: returns lead to the return point of the mission", true});
   return out;
 }
 

@@ -71,7 +71,7 @@ std::string homecoming::why_not_for_failsafe(instant now) const {
   if (view.owner().vehicle == flight::vehicle_class::fixed_wing)
     return "a fixed wing is given no landing that is not planned";
   if (!flight_.setting(now))
-    return "the vehicle does not tell where it is";
+    return "the vehicle does not report where it is";
   return {};
 }
 
@@ -103,7 +103,7 @@ homecoming::turns_or_why homecoming::turns(instant now) const {
     return std::vector<mission::waypoint>();
   const auto where = flight_.setting(now);
   if (!where)
-    return tl::make_unexpected(std::string("the vehicle does not tell where it is, or where its home is"));
+    return tl::make_unexpected(std::string("the vehicle does not report where it is, or where its home is"));
   const auto& here = where->start;
   const double altitude_m = std::max(here.altitude_m, flight_.configured.return_altitude_m);
   auto home = this->home().value();
@@ -198,7 +198,7 @@ std::string homecoming::why_not_by_plan(instant now) const {
   if (is_battery_low() && !flight_.returns_elsewhere())
     return "the battery is low";
   const bool is_known = flight_.homing.is_recalled || flight_.setting(now);
-  return is_known ? "" : "the vehicle does not tell where it is";
+  return is_known ? "" : "the vehicle does not report where it is";
 }
 
 void homecoming::bring(effects& out, const std::vector<mission::waypoint>& turns, instant now) {

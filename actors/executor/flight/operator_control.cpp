@@ -72,7 +72,7 @@ std::string operator_control::why_not(const operators::command& m, bool has_look
     if (!flight_.has_person())
       return "nobody has taken the vehicle from godwit";
     if (!has_looked || !view.is_connected() || !view.mode())
-      return "the vehicle is not heard, so nobody knows who has it; say it again when it is";
+      return "the vehicle is not heard, so nobody knows who has it; repeat the command when it is";
     return {};
   case command_kind::start:
     return at == phase::ready ? flight_.why_not_armed() : "the flight is not ready: " + flight_.sentence();
@@ -100,7 +100,7 @@ std::string operator_control::why_not_resume() const {
   if (flight_.s.status.now != phase::paused && !is_pausing)
     return "the flight is not paused: " + flight_.sentence();
   if (flight_.is_in_flight() && !flight_.view.is_under_way())
-    return "the vehicle stands on the ground; say it again when its flight has ended, in a few seconds";
+    return "the vehicle stands on the ground; repeat the command when its flight has ended, in a few seconds";
   if (flight_.is_in_flight() && (flight_.is_plan_finished() || flight_.was_called_home()))
     return "nothing of the mission is left to fly; come_home brings the vehicle back";
   return {};

@@ -80,7 +80,7 @@ void part_choice::prepare(effects& out, const station_plan_taken& part, start_fl
   const auto& asked = *what.asked;
   const bool takes_off_before = !part.plan.places.empty() && part.plan.places.front() < asked.first;
   out.emplace_back(announce{sentence_of({asked.first, asked.last}, part.plan.items) + " are prepared" +
-                                (takes_off_before ? ", behind the take-off" : ""),
+                                (takes_off_before ? ", after the take-off" : ""),
                             false});
   out.emplace_back(note{as_new_mission(part, now.wall_ns)});
   what.part_until_ns = now.now_ns + start_waits_ns;

@@ -138,7 +138,8 @@ constexpr std::array table{
     // in flight
     waits(trigger::plan_done, of(flying)),
     row(trigger::plan_done, of(flying), no_guard, landing),
-    with(row(trigger::told_to_hold, on_the_way, no_guard, stays), cause::none, "pausing: the vehicle was told to hold"),
+    with(row(trigger::told_to_hold, on_the_way, no_guard, stays), cause::none,
+         "pausing: the vehicle was commanded to hold"),
     pauses(trigger::held, cause::asked, "held as asked"),
     waits(trigger::resumed, any),
     flying_on(trigger::resumed, any, plan_finished, landing),

@@ -50,7 +50,7 @@ operators::answer plan_changes::take(const operators::command& m, instant now) {
   const auto& doing = flight_.runner.doing();
   const bool is_pausing = doing && doing->kind == task_kind::hold; // then it goes there after that
   if (s.change || flight_.wanted.change || (flight_.runner.is_busy() && !is_pausing) || !s.waiting.empty() || s.arrived)
-    return refused("another change is under way; say it again when it is over");
+    return refused("another change is under way; repeat the command when it is finished");
   if (m.kind != command_kind::cancel && !m.place)
     return refused("the command has no place");
   if (m.kind != command_kind::cancel)
@@ -63,7 +63,7 @@ operators::answer plan_changes::take(const operators::command& m, instant now) {
     return refused(std::move(why));
   if (flight_.is_journal_nearly_full && m.kind != command_kind::cancel)
     return refused(
-        "the plan is not changed while so much waits for the journal's disk; say it again when it is written");
+        "the plan is not changed while so much waits for the journal's disk; repeat the command when it is written");
   flight_.wanted.put_change(*std::move(what));
   return {true, {}};
 }
@@ -85,7 +85,7 @@ std::string plan_changes::why_not_there(const mission::position& to, instant now
     return "the altitude has to be between " + std::to_string(static_cast<int>(lowest_m)) + " and " +
            std::to_string(static_cast<int>(highest_m)) + " m above home (flight.max_altitude_m)";
   const auto found = flight_.out_of_limits("the place", to, now);
-  return found.value_or("the vehicle has told no home yet");
+  return found.value_or("the vehicle has reported no home yet");
 }
 
 // NAME is that of the change; the turns are flown at the altitude of where they lead.
@@ -101,7 +101,7 @@ std::vector<mission::item> plan_changes::items_of(const std::vector<geo::point>&
 plan_changes::change_or_reason plan_changes::go_there(const mission::position& to, instant now) const {
   const auto from = flight_.view.place(now.now_ns);
   if (!from)
-    return tl::make_unexpected(std::string("the vehicle tells no position"));
+    return tl::make_unexpected(std::string("the vehicle reports no position"));
   const auto turns = turns_between(flight_.way_between(*from, to), flight_.s.mission->geofences);
   if (!turns)
     return tl::make_unexpected("there is no way there: " + turns.error());
@@ -169,7 +169,7 @@ plan_changes::change_or_reason plan_changes::insert(const operators::command& m)
     if (found == items.end())
       return tl::make_unexpected("the mission has no item '" + m.after + "'");
     if (static_cast<std::size_t>(found - items.begin()) + 1 < first_remaining(*flight_.s.mission, after))
-      return tl::make_unexpected("what comes behind item '" + m.after + "' is flown already");
+      return tl::make_unexpected("what comes after item '" + m.after + "' is flown already");
     after = m.after;
   }
   mission::waypoint extra;
@@ -367,7 +367,7 @@ bool plan_changes::deploy_arrived(effects& out, instant now) {
       !flight_.view.is_under_way() || s.arrived->mission_id != s.mission->mission_id)
     return false;
   if (!flight_.setting(now))
-    return true; // until the vehicle has said where it is, and where its home is
+    return true; // until the vehicle has sent where it is, and where its home is
   const auto plan = flight_.plan_in_flight(*s.arrived, now);
   if (!plan) {
     flight_.refused = refused_mission(flight_, s.arrived->mission_id, s.arrived->revision, plan.error());

@@ -26,7 +26,7 @@ void append(std::vector<std::uint32_t>& to, const std::vector<std::uint32_t>& mo
 }
 
 constexpr std::string_view call_again =
-    "godwit was restarted while it called the vehicle home; it holds: say come_home again";
+    "godwit was restarted while the vehicle was returning; it holds: send come_home again";
 
 } // namespace
 

@@ -175,7 +175,7 @@ void station_acts::look(effects& out, instant now) {
     return;
   const auto what = std::move(awaited_holds_.front());
   awaited_holds_.erase(awaited_holds_.begin());
-  auto answer = act_answer{act_verdict::refused, "the vehicle has not obeyed: " + flight_.sentence()};
+  auto answer = act_answer{act_verdict::refused, "the vehicle did not execute the command: " + flight_.sentence()};
   if (!may_hold)
     answer = pass(out, what, now);
   else if (flight_.view.mode() && flight_.view.obeys(mode_kind::hold))

@@ -283,9 +283,9 @@ void task_control::fail(effects& out, const task& what, const std::string& why, 
     return warn("the vehicle's home stays where the mission began, also when it is armed elsewhere: set it there. ");
   case task_kind::hold:
   case task_kind::come_home:
-    warn("not obeyed: ");
+    warn("not executed: ");
     if (flight_.s.status.now != phase::paused)
-      phases_.go(out, trigger::not_obeyed, "the vehicle has not obeyed: " + why);
+      phases_.go(out, trigger::not_obeyed, "the vehicle did not execute the command: " + why);
     return;
   case task_kind::come_home_by_plan:
     flight_.homing.at = homing_stage::failed;

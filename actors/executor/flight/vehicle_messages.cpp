@@ -38,7 +38,7 @@ std::vector<flight::vehicle_message> vehicle_messages::look(effects& out, std::i
 void vehicle_messages::begin_window(effects& out, std::int64_t now_ns) {
   if (left_out_ > 0)
     out.emplace_back(
-        announce{"the vehicle has said " + std::to_string(left_out_) + " more texts, which are left out", true});
+        announce{"the vehicle has sent " + std::to_string(left_out_) + " more texts, which are left out", true});
   window_began_ns_ = now_ns;
   lines_ = left_out_ = 0;
 }
@@ -55,7 +55,7 @@ void vehicle_messages::tell(effects& out, const flight::vehicle_message& message
     told_.pop_front();
   told_.push_back({message.text, now_ns});
   out.emplace_back(
-      announce{"the vehicle says: " + message.text, message.severity <= number(mav_severity::warning), true});
+      announce{"the vehicle reports: " + message.text, message.severity <= number(mav_severity::warning), true});
 }
 
 bool vehicle_messages::is_repeated(const std::string& text, std::int64_t now_ns) {

@@ -1,5 +1,5 @@
-// What the autopilot says in words, as lines of the log: "the vehicle says: PreArm: Compass not calibrated". So people
-// read it where they read everything else: in the journal of systemd, on the page of operators, in a bundle.
+// What the autopilot says in words, as lines of the log: "the vehicle reports: PreArm: Compass not calibrated". So
+// people read it where they read everything else: in the journal of systemd, on the page of operators, in a bundle.
 //
 // Autopilots repeat what holds on, and can be made to say any number of things. The same text is told once in
 // repeat_ns, at most max_lines in window_ns, and how many were left out is told behind that. Texts for developers of

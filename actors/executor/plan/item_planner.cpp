@@ -124,7 +124,7 @@ item_planner::outcome item_planner::plan(const mission::takeoff& item) {
       return error(plan_errc::no_direction,
                    "A fixed wing takes off towards the next place, and none is at least " + whole(min_take_off_way_m) +
                        " m away",
-                   "put a waypoint behind it, in the direction of the runway");
+                   "put a waypoint after it, in the direction of the runway");
     towards = {next->latitude, next->longitude, 0};
   }
   towards.altitude_m = take_off_altitude_m(item.altitude_m);

@@ -139,7 +139,7 @@ struct facts {
 
 // The end of a sentence about what keeps the vehicle from being armed.
 [[nodiscard]] inline std::string in_its_words(const facts& seen) {
-  return seen.vehicle.why_not_armed.empty() ? "" : " It says: " + seen.vehicle.why_not_armed;
+  return seen.vehicle.why_not_armed.empty() ? "" : " It reports: " + seen.vehicle.why_not_armed;
 }
 
 } // namespace godwit::executor::preflight

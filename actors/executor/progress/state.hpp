@@ -63,7 +63,7 @@ struct generation_state {
   bool is_armed = false;
   bool is_active = false;            // the vehicle said last that it flies it
   bool is_complete = false;          // the vehicle said last that it has completed the mission
-  bool was_active = false;           // the vehicle has said so: a MISSION_STATE complete is not an older one
+  bool was_active = false;           // the vehicle has sent so: a MISSION_STATE complete is not an older one
   bool is_finished = false;          // all items that move the vehicle are done
   bool is_not_at_start_told = false; // once is enough
   std::uint16_t current = 0;         // of an armed one: where the vehicle is

@@ -41,7 +41,7 @@ public:
 
   void begin(mavlink::mav_mission_type type, int count);
   void begin_in_part(mavlink::mav_mission_type type);
-  void put(const mavlink::mission_item_int& item); // behind the one before, or in place of one that is there
+  void put(const mavlink::mission_item_int& item); // after the one before, or in place of one that is there
   // True: the new plan says the same as the one before.
   bool complete();
   void discard(); // what came so far; where it has replaced something, that stays

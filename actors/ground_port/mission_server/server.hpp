@@ -65,7 +65,7 @@ private:
   struct receiving {
     mavlink::sender from;
     mavlink::mav_mission_type type{};
-    int count = 0; // the sequence behind the last item that comes
+    int count = 0; // the sequence after the last item that comes
     int wanted = 0;
     std::int64_t heard_ns = 0;
     std::int64_t asked_ns = 0;

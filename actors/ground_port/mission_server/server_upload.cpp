@@ -64,7 +64,7 @@ void server::take(sender from, const mavlink::mission_write_partial_list& m, std
   }
   const auto type = static_cast<mav_mission_type>(m.mission_type);
   const auto held = static_cast<int>(store_.plan(type).items.size());
-  // One behind the last is added to it.
+  // One after the last is added to it.
   const bool is_in_the_plan = m.start_index >= 0 && m.end_index >= m.start_index && m.end_index <= held;
   if (!is_in_the_plan || m.end_index >= vehicle_.capacity) {
     acknowledge(from, m.mission_type, mav_mission_result::error);

@@ -12,7 +12,7 @@ namespace godwit::ground_port::passing {
 
 namespace {
 
-// In the payload of the message: network, target system, target component, and the protocol's own header behind.
+// In the payload of the message: network, target system, target component, and the protocol's own header after.
 constexpr std::size_t sequence_at = 3;
 constexpr std::size_t session_at = 5;
 constexpr std::size_t opcode_at = 6;

@@ -4,7 +4,7 @@
 //   passes     it goes on as it came: reading, corrections, cameras, gimbals
 //   owned      godwit's: plans, the current item, start, pause, go to. It answers itself, and nothing goes on
 //   person     the vehicle is that person's before it goes on (messages/executor/station_act.hpp)
-//   disarmed   goes on to a vehicle that stands disarmed, which is checked anew behind it; else it is refused
+//   disarmed   goes on to a vehicle that stands disarmed, which is checked anew after it; else it is refused
 //   setting    only where the settings name it (ground.also_passes)
 //
 // What is on no list is refused: nobody has looked at what it does. The lists hold whatever component is meant: an
@@ -29,7 +29,7 @@ struct message_row {
   std::uint32_t id = 0;
   pass_list on = pass_list::passes;
   int target_at = no_target;                            // where its payload names the system that is meant
-  bool names_component = true;                          // in the byte behind
+  bool names_component = true;                          // in the byte after
   executor::act_kind kind = executor::act_kind::stream; // of a person's
   std::string_view name;
 };

@@ -111,7 +111,7 @@ void clear::look_at_reader(step& out, std::int64_t now_ns) {
   if (!reader_->is_over())
     return;
   if (reader_->now() != plan_reader::state::complete) {
-    finish(out, failed(verdict::timed_out, "the vehicle acknowledged it, but did not say what it holds"), now_ns);
+    finish(out, failed(verdict::timed_out, "the vehicle acknowledged it, but did not report what it holds"), now_ns);
     return;
   }
   reader_->close(out, mav_mission_result::accepted);

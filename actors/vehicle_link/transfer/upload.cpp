@@ -268,7 +268,8 @@ void upload::look_at_reader(step& out, std::int64_t now_ns) {
     compare_with_held(out, now_ns);
   } else if (reader_->is_over()) {
     finish(out,
-           decided_ ? *decided_ : failed(verdict::timed_out, "all was sent, and the vehicle did not say what it holds"),
+           decided_ ? *decided_
+                    : failed(verdict::timed_out, "all was sent, and the vehicle did not report what it holds"),
            now_ns);
   }
 }

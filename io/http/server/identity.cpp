@@ -36,7 +36,7 @@ using name_list = std::unique_ptr<GENERAL_NAMES, freed_by<GENERAL_NAMES_free>>;
 using extension_handle = std::unique_ptr<X509_EXTENSION, freed_by<X509_EXTENSION_free>>;
 
 constexpr const char* valid_from = "20200101000000Z";
-constexpr const char* valid_until = "20491231235959Z"; // behind it the form of dates changes (RFC 5280, 4.1.2.5)
+constexpr const char* valid_until = "20491231235959Z"; // after it the form of dates changes (RFC 5280, 4.1.2.5)
 
 text_handle over(std::string_view text) {
   return text_handle(::BIO_new_mem_buf(text.data(), static_cast<int>(text.size())));

@@ -30,7 +30,7 @@ class session;
 class responder {
 public:
   using next = std::function<void()>;
-  // EARLY: what the client has sent behind its request.
+  // EARLY: what the client has sent after its request.
   using taker = std::function<void(std::unique_ptr<connection> taken, std::string early)>;
 
   responder(std::weak_ptr<session> to, std::uint64_t request_number, boost::asio::io_context::executor_type where)
@@ -54,7 +54,7 @@ public:
   // To be called when the client goes before it has its answer. Set within the handler.
   void on_gone(next then);
   // Hands the connection over, for another protocol: from then on neither bounds nor time-outs of the server hold for
-  // it. Within the handler, or later behind keep_unread(). The answer, 101 or another, is the taker's.
+  // it. Within the handler, or later after keep_unread(). The answer, 101 or another, is the taker's.
   void upgrade(const taker& then);
   // Nothing is read until there is an answer, and nobody sees that the client has gone. Within the handler only.
   void keep_unread();

@@ -109,7 +109,7 @@ private:
   bool is_last_ = false;              // the answer
   std::optional<std::uint64_t> owed_; // bytes of the body that were promised and not given yet
   std::string head_;
-  std::string body_; // what is being written, behind the head
+  std::string body_; // what is being written, after the head
   std::size_t sent_ = 0;
   responder::next then_;
   responder::next on_gone_;

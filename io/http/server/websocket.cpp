@@ -105,7 +105,7 @@ void websocket::have_read(const std::string& failed) {
   if (!failed.empty())
     return end(failed);
   if (!e.hooks.on_text || !e.stream->got_text())
-    close(close_code::policy, "nothing is to be said here");
+    close(close_code::policy, "this stream takes no messages");
   else if (!e.is_closing)
     e.hooks.on_text({static_cast<const char*>(e.heard.data().data()), e.heard.size()});
   if (!e.has_ended && !e.is_closing) // the closing handshake reads by itself, and leaves a frame of which half is read

@@ -1,6 +1,6 @@
 // The file that holds the secret key of a link.
 //
-// Its content is 64 hexadecimal digits, of either case, with or without an end of line behind them; or the 32 bytes
+// Its content is 64 hexadecimal digits, of either case, with or without an end of line after them; or the 32 bytes
 // themselves. `openssl rand -hex 32 > FILE` makes one. It must be a regular file of mode 0600 exactly that belongs to
 // the user under whom godwit runs, and not a symbolic link: a key that others could have read or put there protects
 // nothing. All this is checked on the open file, so that it can not be exchanged between check and reading.

@@ -64,7 +64,7 @@ public:
   [[nodiscard]] bool is_beyond_reservation() const { return free_ > ceiling_; }
 
 private:
-  // As integers, because the one behind the last timestamp must have a value too.
+  // As integers, because the one after the last timestamp must have a value too.
   [[nodiscard]] std::uint64_t next_free(std::int64_t wall_ns) const;
 
   std::uint64_t free_;         // the lowest that was not given out

@@ -9,7 +9,7 @@ namespace godwit::io::mavlink {
 namespace {
 
 // What the signed flag adds to the checksum of a frame with a payload of LENGTH bytes: the checksum, begun with 0, of
-// a frame in which nothing but this flag is set. CRC_EXTRA is one byte more behind it.
+// a frame in which nothing but this flag is set. CRC_EXTRA is one byte more after it.
 std::uint16_t crc_of_flag(std::size_t length) {
   static constexpr std::array<std::byte, header_size + max_payload_size + 1> flag{std::byte{incompat_signed}};
   return crc_of(byte_view(flag).first(header_size - incompat_at + length + 1), 0);

@@ -12,7 +12,7 @@ namespace godwit::io::mavlink {
 
 enum class frame_shape : std::uint8_t {
   nothing,       // neither FD nor FE
-  cut_off,       // it goes on behind the end of the bytes
+  cut_off,       // it goes on after the end of the bytes
   unknown_id,    // whole by its length; its checksum can not be verified
   bad_checksum,  // whole by its length
   unknown_flags, // right, with an incompatibility flag that we do not know

@@ -1,6 +1,6 @@
 // Reads a .tlog of any size from front to back, also one that holds broken records or is itself broken.
 //
-//             right frame behind the time: given or passed over
+//             right frame after the time: given or passed over
 //            .--------.
 //            v        |     anything else: counted by its cause
 //      at a record ---'  ------------------------------------------->  searching
@@ -43,7 +43,7 @@ struct tlog_record {
 struct tlog_counts {
   std::uint64_t frames = 0;       // given, with a right checksum
   std::uint64_t unknown_ids = 0;  // given, not verified
-  std::uint64_t without_time = 0; // of `frames`: stood behind another record without a time of its own
+  std::uint64_t without_time = 0; // of `frames`: stood after another record without a time of its own
   std::uint64_t v1_frames = 0;
   std::uint64_t unknown_flags = 0;
   std::uint64_t bad_checksums = 0; // a time and a whole frame, with another checksum
@@ -65,7 +65,7 @@ public:
 private:
   // The longest that a judgement takes: a record, and one more that begins with its last byte.
   static constexpr std::size_t lookahead_bytes = 2 * max_tlog_record_size;
-  // With these a search gets on by a byte at least, behind the time that it keeps. Fewer: the end of the file is there.
+  // With these a search gets on by a byte at least, after the time that it keeps. Fewer: the end of the file is there.
   static constexpr std::size_t wanted_bytes = lookahead_bytes + tlog_time_size + 1;
 
   // All take the bytes from here on, and drop what they are done with.

@@ -66,7 +66,7 @@ public:
   // Runs one thing that can happen now, chosen by CHOICE: a message, a step of the journal's or of the map's writer.
   // False: nothing can, without time passing.
   bool step(std::uint64_t choice);
-  // All of them, the journal behind the messages: the order that costs least.
+  // All of them, the journal after the messages: the order that costs least.
   void run_until_idle();
   [[nodiscard]] bool has_uncommitted() const;
 

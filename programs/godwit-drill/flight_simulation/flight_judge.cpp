@@ -42,7 +42,7 @@ std::string flaw_of_order(const std::vector<mission::progress_report>& reports) 
     if (each.item_id && !told.emplace(generation, each.kind, *each.item_id).second)
       return at + " tells of " + *each.item_id + " a second time";
     if (complete.contains(each.revision))
-      return at + " comes behind the one that completes the mission";
+      return at + " comes after the one that completes the mission";
     if (each.kind == progress_kind::complete)
       complete.insert(each.revision);
   }
@@ -51,14 +51,14 @@ std::string flaw_of_order(const std::vector<mission::progress_report>& reports) 
 
 std::string flaw_of_items(const std::vector<mission::progress_report>& reports, const mission::document& mission) {
   if (reports.empty() || reports.back().kind != progress_kind::complete)
-    return "the mission is done, and the last report does not say so";
+    return "the mission is done, and the last report does not state it";
   std::set<std::string> told;
   for (const auto& each : reports)
     if (mission::settles_item(each.kind))
       told.insert(each.item_id.value_or(""));
   for (const auto& each : mission.items)
     if (!told.contains(mission::id_of(each)))
-      return "item " + mission::id_of(each) + " was never told";
+      return "item " + mission::id_of(each) + " was never reported";
   return {};
 }
 
@@ -155,7 +155,7 @@ std::string flaw_of_end(const flight_simulation& flight) {
     return {};
   if (at.now != executor::phase::paused)
     return "it neither ends nor waits for a person";
-  return at.reason.empty() ? "it is paused, and says not why" : "";
+  return at.reason.empty() ? "it is paused without a reason" : "";
 }
 
 bool moves_vehicle(const vehicle_order& order) {

@@ -16,7 +16,7 @@ namespace godwit::drill {
 [[nodiscard]] mapobjects_store::sighting seen_in_survey(const flight_simulation& flight, std::string id, double north_m,
                                                         double confidence);
 
-// The service has heard that it was begun, and of nothing behind it.
+// The service has heard that it was begun, and of nothing after it.
 [[nodiscard]] bool is_in_survey(flight_simulation& flight);
 
 } // namespace godwit::drill

@@ -18,7 +18,7 @@ namespace godwit::drill {
 [[nodiscard]] mission::item place(sim::personality who, const std::string& id, double north_m, double east_m);
 // A square around home, this far from it to each side.
 [[nodiscard]] mission::geofence fence_around(double metres);
-// Take-off, a waypoint, a landing on the way; and behind it take-off, a waypoint and home.
+// Take-off, a waypoint, a landing on the way; and after it take-off, a waypoint and home.
 [[nodiscard]] mission::document with_landing_on_the_way();
 inline constexpr double plane_goes_farther = 5;
 // What ends a mission on the ground at home: a return; of a plane, which would circle there for ever, a landing. Behind

@@ -53,7 +53,7 @@ public:
   [[nodiscard]] std::int64_t next_deadline_ns() const { return next_ns_; }
   // As SIGKILL, and as bytes that are no message.
   void kill() { gone_ = "it has gone: it was ended by signal 9"; }
-  void talk_garbage() { gone_ = "what it says can not be read: it does not begin as a message"; }
+  void talk_garbage() { gone_ = "what it sends can not be read: it does not begin as a message"; }
 
 private:
   [[nodiscard]] movement_detector::helper_status status(std::int64_t now_ns) const;

@@ -9,7 +9,7 @@
 namespace godwit::drill {
 namespace {
 
-// Until ACTOR takes messages again behind BEFORE, or the process is another one.
+// Until ACTOR takes messages again after BEFORE, or the process is another one.
 bool is_back_within(flight_simulation& flight, const std::string& actor, std::uint32_t before, double most_s) {
   const auto processes = flight.processes();
   return flight.run_until(

@@ -96,7 +96,7 @@ struct disk_case {
   [[nodiscard]] std::string name() const { return group() + "/commit_" + std::to_string(commit); }
 };
 
-// Who has lost the journal of a flight does not know that it is his: he follows it, and starts nothing behind it.
+// Who has lost the journal of a flight does not know that it is his: he follows it, and starts nothing after it.
 void expect_no_start(watched_flight& watched, bool was_under_way) {
   constexpr double flown_and_looked_at_s = 90;
   auto& flight = watched.flight();
@@ -104,8 +104,7 @@ void expect_no_start(watched_flight& watched, bool was_under_way) {
   if (!was_under_way)
     return;
   flight.run_for(flown_and_looked_at_s);
-  watched.expect(starts_since(flight, since_ns) == 0 ? ""
-                                                     : "it was started by itself behind a flight that nobody knew");
+  watched.expect(starts_since(flight, since_ns) == 0 ? "" : "it was started by itself after a flight that nobody knew");
 }
 
 // Who has an older journal finds a mission that is further than he knew. A plane that has landed does not take off for

@@ -1,6 +1,6 @@
 // A flight in which one thing goes wrong, in one part of it.
 //
-// In `ready` the start waits for a station: behind what went wrong nobody says anything for a while, and the vehicle
+// In `ready` the start waits for a station: after what went wrong nobody says anything for a while, and the vehicle
 // must stay as it is. Thread: values; fly_disturbed() in one.
 #pragma once
 

@@ -34,7 +34,7 @@ using vehicles = std::span<const sim::personality>;
 // scan_controller throws, ends, or ends with others, around each sighting and each decision in a survey. Not of planes.
 [[nodiscard]] std::vector<flight_case> scan_cases(vehicles which);
 
-// The process is killed before and behind each commit of a whole flight. COMMITS: of such a flight, by vehicle.
+// The process is killed before and after each commit of a whole flight. COMMITS: of such a flight, by vehicle.
 [[nodiscard]] std::vector<flight_case> process_cases(vehicles which, std::span<const std::uint64_t> commits);
 // It is killed at moments of a flight that their seeds draw, and again and again for a minute.
 // FLOWN_S: of a whole flight, by vehicle.

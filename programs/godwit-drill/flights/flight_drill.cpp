@@ -31,7 +31,7 @@ using programs::exit_code;
 constexpr std::array all_vehicles{sim::personality::rover, sim::personality::px4, sim::personality::ardupilot,
                                   sim::personality::plane};
 constexpr std::size_t most_explained = 5; // failing flights of one run that are flown again, for their trace
-constexpr std::size_t most_stories = 10;  // of one run; a failing flight behind these is named without its story
+constexpr std::size_t most_stories = 10;  // of one run; a failing flight after these is named without its story
 
 std::vector<sim::personality> vehicles_of(const flight_drill_options& options) {
   if (options.who)

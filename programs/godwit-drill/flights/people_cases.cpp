@@ -1,5 +1,5 @@
 // A person takes the vehicle by a mode of it, and godwit knows of it from the vehicle alone: nothing is commanded
-// behind that until somebody hands it back. Then they say that it goes on; where godwit can not (a plane does not take
+// after that until somebody hands it back. Then they say that it goes on; where godwit can not (a plane does not take
 // off again) it waits, and says for what.
 //
 // The mission mode is none of these modes: while the mission flies nobody can tell it from godwit's own.

@@ -71,7 +71,7 @@ flight_outcome fly(const stored_case& what, const flight_wishes& wishes) {
   if (!flight.run_until(has_ended, 600) || !is_there)
     watched.so_far().skipped = "the flight had no such commit";
   else if (!let_happen(flight, how))
-    watched.so_far().skipped = "nothing was written behind it";
+    watched.so_far().skipped = "nothing was written after it";
   auto outcome = watched.finish();
   if (flight.outside().journal.forgotten != 0)
     outcome.flaws.emplace_back("a process did not find again what its journal had acknowledged");

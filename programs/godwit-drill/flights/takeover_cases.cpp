@@ -1,4 +1,4 @@
-// More of people beside a flight: one takes the vehicle on the way to each item, a second time behind a hand-back, and
+// More of people beside a flight: one takes the vehicle on the way to each item, a second time after a hand-back, and
 // while godwitd is dead; and two operators contradict each other.
 #include <array>
 
@@ -68,7 +68,7 @@ std::string take_twice(watched_flight& watched) {
     return "it is in this mode already";
   expect_left_alone(watched);
   if (!hand_back(flight))
-    return "the mission is not flown again behind the hand-back";
+    return "the mission is not flown again after the hand-back";
   flight.run_for(1);
   watched.expect(take_by_hand(flight) ? "" : "the mission is flown in a mode of a pilot");
   expect_left_alone(watched);
@@ -139,7 +139,7 @@ std::string contradict(watched_flight& watched, const contradiction& what) {
   const bool is_mission_flown = at.now == phase::flying || at.now == phase::starting;
   const bool stops = what.second == command_kind::pause || what.second == command_kind::come_home;
   watched.expect(stops && is_mission_flown ? "the last word was to stop, and the mission is flown" : "");
-  watched.expect(at.now == phase::paused && at.reason.empty() ? "it is paused, and says not why" : "");
+  watched.expect(at.now == phase::paused && at.reason.empty() ? "it is paused without a reason" : "");
   return {};
 }
 

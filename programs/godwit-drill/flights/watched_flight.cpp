@@ -17,7 +17,7 @@ flight_simulation::options recorded(flight_simulation::options wanted, const fli
   return wanted;
 }
 
-// A check says so: behind what has led it away a plane, for one, does not take off again.
+// A check says so: after what has led it away a plane, for one, does not take off again.
 constexpr const char* stands_still = "the vehicle is armed and in its mission mode, and has not moved";
 constexpr const char* mission_can_not_be_flown = "The mission can not be flown by this vehicle";
 

@@ -26,8 +26,7 @@ constexpr std::array<words, unusable_count> all_words{{
     {unusable::too_oblique, "too_oblique", "the camera looks too far off the vertical"},
     {unusable::too_many_movers, "too_many_movers", "most of the picture moves against the rest"},
     {unusable::attitude_old, "attitude_old", "the attitude is too old for how fast the camera turns"},
-    {unusable::no_homography, "no_homography",
-     "the motion of the ground in the picture can not be told with certainty"},
+    {unusable::no_homography, "no_homography", "the motion of the ground in the picture is not certain"},
 }};
 
 constexpr bool are_in_order() {

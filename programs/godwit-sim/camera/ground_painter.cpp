@@ -67,7 +67,7 @@ detail detail_of(const block_corners& c) {
 }
 
 struct block_place {
-  int left, top, right, bottom; // right and bottom: behind the last one
+  int left, top, right, bottom; // right and bottom: after the last one
 };
 
 double mixed(double a, double b, double share) { return a + (b - a) * share; }

@@ -60,13 +60,13 @@ parsed read_cut(std::string_view rest) {
 parsed read_gps(std::string_view rest) {
   if (rest == "lost" || rest == "back")
     return fault::gps{rest == "lost"};
-  return mistake(rest, "does not say what becomes of the GPS: lost or back");
+  return mistake(rest, "does not name what happens to the GPS: lost or back");
 }
 
 parsed read_way(std::string_view rest) {
   if (rest == "blocked" || rest == "free")
     return fault::way{rest == "blocked"};
-  return mistake(rest, "does not say how the way is: blocked or free");
+  return mistake(rest, "does not name the state of the way: blocked or free");
 }
 
 parsed read_battery(std::string_view rest) {
@@ -79,13 +79,13 @@ parsed read_battery(std::string_view rest) {
 parsed read_camera(std::string_view rest) {
   if (rest == "cut" || rest == "back")
     return fault::camera{rest == "cut"};
-  return mistake(rest, "does not say what becomes of the camera: cut or back");
+  return mistake(rest, "does not name what happens to the camera: cut or back");
 }
 
 parsed read_say(std::string_view rest) {
   if (!rest.empty() && rest.size() <= max_said_bytes)
     return fault::say{std::string(rest)};
-  return mistake(rest, "is not what an autopilot says: 1 to 250 bytes");
+  return mistake(rest, "is no text of an autopilot: 1 to 250 bytes");
 }
 
 parsed read_accept(std::string_view rest) {
@@ -132,7 +132,7 @@ struct for_people {
   std::string operator()(const fault::camera& it) const {
     return it.is_cut ? "the camera sends nothing" : "the camera is back";
   }
-  std::string operator()(const fault::say& it) const { return "the autopilot says: " + it.words; }
+  std::string operator()(const fault::say& it) const { return "the autopilot reports: " + it.words; }
   std::string operator()(const fault::refuse& it) const {
     const auto command = "the command " + std::to_string(it.command);
     if (it.times == 0)
@@ -162,7 +162,7 @@ tl::expected<fault::refuse, std::string> parse_refusal(std::string_view text) {
   if (space != std::string_view::npos) {
     const auto times = read_whole_number(trimmed(text.substr(space)));
     if (!times || *times > most_refusals)
-      return mistake(trimmed(text.substr(space)), "does not say how often, such as 2");
+      return mistake(trimmed(text.substr(space)), "does not name how often, such as 2");
     result.times = static_cast<int>(*times);
   }
   return result;

@@ -27,7 +27,7 @@ struct missing_item {
 using change_error = std::variant<missing_item, std::vector<mission::document_problem>>;
 
 // NEW_ITEMS after the item AFTER of OLD (none: in front of all). POINTER: where the new items stand in the request;
-// with IS_LIST behind an index. The revision is that of OLD.
+// with IS_LIST after an index. The revision is that of OLD.
 [[nodiscard]] tl::expected<mission::document, change_error> changed_mission(const mission::document& old,
                                                                             const std::optional<std::string>& after,
                                                                             const std::vector<mission::item>& new_items,

@@ -73,7 +73,7 @@ struct content_type {
 struct truncate {
   bool operator==(const truncate&) const = default;
 };
-// The body has 1 GiB: behind what there is, spaces.
+// The body has 1 GiB: after what there is, spaces.
 struct huge {
   bool operator==(const huge&) const = default;
 };

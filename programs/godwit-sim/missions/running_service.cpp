@@ -217,7 +217,7 @@ tl::expected<std::string, std::string> running_service::only_mission() {
   if (ids.size() == 1)
     return ids.front();
   return tl::unexpected(ids.empty() ? std::string("there is no mission")
-                                    : std::string("there are several missions: say which one with \"mission\""));
+                                    : std::string("there are several missions: name one with \"mission\""));
 }
 
 service_figures running_service::figures() {

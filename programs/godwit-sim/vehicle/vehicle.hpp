@@ -45,7 +45,7 @@ struct vehicle_settings {
   bool arms_on_start = false;       // rover: MISSION_START arms
   double stream_factor = 1;         // rates of the default streams, times this
   int rtl_autoland = 3;             // plane: its RTL_AUTOLAND; 0, ArduPilot's default: DO_LAND_START keeps it disarmed
-  bool holds_when_landed = false;   // px4: as a VTOL of it was seen to, behind the landing of a mission
+  bool holds_when_landed = false;   // px4: as a VTOL of it was seen to, after the landing of a mission
   bool beats_at_mode_change = true; // ardupilot, plane: off for what was recorded before they did
 };
 

@@ -37,7 +37,7 @@ void append_crash(std::string& out, const crash& each, const runtime::name_table
   append_utc_ns(out, each.at_ns);
   out.append(" ").append(colours.bad()).append(each.actor).append(", incarnation ");
   out.append(std::to_string(each.incarnation)).append(colours.end()).append(" crashed: ");
-  append_printable(out, each.reason.empty() ? std::string_view("nobody told why") : each.reason);
+  append_printable(out, each.reason.empty() ? std::string_view("no reason is recorded") : each.reason);
   out.append(" (run ").append(std::to_string(each.run)).append(")\n");
   if (!each.before.empty())
     out += " before it:\n";
@@ -147,7 +147,7 @@ exit_code run_crashes(const crashes_arguments& given, console& to) {
   if (list.crashes().empty())
     to.say("no actor crashed in what could be read");
   if (list.not_kept() > 0)
-    to.say("there are " + std::to_string(list.not_kept()) + " more crashes; --from goes on behind the last one");
+    to.say("there are " + std::to_string(list.not_kept()) + " more crashes; --from continues after the last one");
   return is_read ? exit_code::ok : exit_code::failed;
 }
 

@@ -150,7 +150,7 @@ exit_code run_diff(const diff_arguments& given, console& to) {
 } // namespace
 
 command add_diff_command(CLI::App& to) {
-  auto* const app = to.add_subcommand("diff", "Says where two runs part.");
+  auto* const app = to.add_subcommand("diff", "Shows where two runs differ first.");
   const auto given = std::make_shared<diff_arguments>();
   app->add_option("A", given->a, "One trace: a folder or a file")->required();
   app->add_option("B", given->b, "The other one")->required();

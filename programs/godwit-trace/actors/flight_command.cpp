@@ -102,7 +102,7 @@ exit_code run_flight(const flight_arguments& given, console& to) {
 } // namespace
 
 command add_flight_command(CLI::App& to) {
-  auto* const app = to.add_subcommand("flight", "Tells the flight on one time line, for people.");
+  auto* const app = to.add_subcommand("flight", "Shows the flight on one time line, for people.");
   const auto given = std::make_shared<flight_arguments>();
   add_trace_arguments(*app, given->trace);
   add_link_arguments(*app, given->link);

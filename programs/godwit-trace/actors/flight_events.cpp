@@ -230,7 +230,7 @@ const flight_events::row flight_events::rows[] = {
                constexpr std::uint64_t warning = 4; // MAV_SEVERITY_WARNING
                auto said = text(m, "text");
                said.erase(said.find_last_not_of("\t \n") + 1);
-               return saying{flight_matter::text, "the vehicle says: " + said, number(m, "severity") <= warning};
+               return saying{flight_matter::text, "the vehicle reports: " + said, number(m, "severity") <= warning};
              },
      how_often::always},
 };

@@ -41,7 +41,7 @@ std::string sentence_about(const std::string& file, const io::mavlink::tlog_coun
   const auto broken = counts.bad_checksums + counts.not_frames + counts.unknown_flags + counts.v1_frames;
   return broken == 0
              ? std::string()
-             : file + ": passed over " + std::to_string(broken) + " broken records; `godwit-trace tlog` says more";
+             : file + ": passed over " + std::to_string(broken) + " broken records; `godwit-trace tlog` shows more";
 }
 
 } // namespace

@@ -52,7 +52,7 @@ class link_frames {
 public:
   link_frames(const std::vector<link_file>& files, runtime::time_span_ns span, name_filter wanted);
 
-  // The oldest that was not given yet, if it is not behind this moment of this run. Valid until the next call.
+  // The oldest that was not given yet, if it is not after this moment of this run. Valid until the next call.
   [[nodiscard]] std::optional<link_frame> next_until(std::uint64_t run, std::int64_t at_ns);
   // The oldest that was not given yet.
   [[nodiscard]] std::optional<link_frame> next() { return next_until(UINT64_MAX, INT64_MAX); }

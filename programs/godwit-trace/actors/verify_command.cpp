@@ -102,7 +102,7 @@ exit_code run_verify(const verify_arguments& given, console& to) {
     checker.take(each, (*trace)->names);
     actors.insert(each.actor);
   }
-  if (!given.journal.empty()) { // behind the trace, so that it is not older
+  if (!given.journal.empty()) { // after the trace, so that it is not older
     std::vector<std::string> names;
     for (const auto number : actors)
       names.push_back((*trace)->names.name(number));
@@ -137,7 +137,7 @@ command add_verify_command(CLI::App& to) {
   add_trace_arguments(*app, given->trace);
   app->add_option("--journal", given->journal, "Looks into this journal, too, for what is promised of it")
       ->type_name("FILE");
-  app->add_flag("--list", given->list, "Only say what is looked for");
+  app->add_flag("--list", given->list, "Only lists what is checked");
   app->get_option("TRACE")->required(false);
   app->footer(
       R"(held: it is so in all that was recorded. violated: the messages that are named show it. undecided: records are

@@ -82,7 +82,7 @@ void choose_paths(const json& configuration, bundle_arguments& given) {
 void add_status(const bundle_arguments& given, bundle_plan& to) {
   const auto answer = control::ask_daemon(given.control, {{"do", "status"}});
   if (answer)
-    to.add_text(std::string(top) + "status.json", "what the running godwitd says of itself",
+    to.add_text(std::string(top) + "status.json", "the status of the running godwitd",
                 programs::without_secrets(*answer).dump(2, ' ', false, json::error_handler_t::replace) + "\n");
   else
     to.leave_out("status.json", answer.error());
@@ -149,8 +149,9 @@ io::mcap::result<std::uint64_t> write(const bundle_plan& plan, const std::string
   std::string head = "What godwit-trace " GODWIT_VERSION " put together, UTC ";
   constexpr std::int64_t us_per_s = 1'000'000;
   append_utc(head, static_cast<std::uint64_t>(now_s * us_per_s));
-  head += ".\nThe trace tells where somebody flew: give it to whom you trust.\n`godwit-trace flight trace/ --links` "
-          "tells the flight.\n\nBytes, name, what it is:\n";
+  head +=
+      ".\nThe trace shows where somebody flew: give it to people you trust only.\n`godwit-trace flight trace/ --links` "
+      "shows the flight.\n\nBytes, name, what it is:\n";
   tar_writer tar;
   auto result =
       tar.create(file, now_s).and_then([&] { return tar.add(std::string(top) + "CONTENTS.txt", plan.contents(head)); });
@@ -214,7 +215,7 @@ exit_code run_bundle(bundle_arguments given, console& to) {
 } // namespace
 
 command add_bundle_command(CLI::App& to) {
-  auto* const app = to.add_subcommand("bundle", "Puts together what somebody needs to help, without secrets.");
+  auto* const app = to.add_subcommand("bundle", "Collects what somebody needs to help, without secrets.");
   const auto given = std::make_shared<bundle_arguments>();
   app->add_option("--config", given->config, "The configuration of godwitd; it names the files below")
       ->type_name("FILE");

@@ -127,14 +127,14 @@ exit_code run_replay(const replay_arguments& given, console& to) {
 } // namespace
 
 command add_replay_command(CLI::App& to) {
-  auto* const app = to.add_subcommand(
-      "replay", "Hands an actor what it took then, and says where it does something else than it did.");
+  auto* const app =
+      to.add_subcommand("replay", "Feeds an actor its recorded input again, and shows where its output differs.");
   const auto given = std::make_shared<replay_arguments>();
   app->add_option("ACTOR", given->actor, "An actor of godwitd: executor, failsafe, vehicle_link, ...")->required();
   add_trace_arguments(*app, given->trace);
   app->add_option("--until", given->until, "Up to the message with this id")->type_name("ID");
   app->add_flag("--step", given->step, "Prints each message and what the actor sent of it");
-  app->add_flag("--all", given->all, "Goes on behind the first deviation");
+  app->add_flag("--all", given->all, "Continues after the first difference");
   constexpr std::int64_t most_ms = 60'000;
   app->add_option("--tolerance", given->tolerance_ms, "Milliseconds by which times in messages may differ")
       ->check(CLI::Range(std::int64_t{0}, most_ms))

@@ -1,4 +1,4 @@
-// How long the next try to log in has to wait, behind tries that failed.
+// How long the next try to log in has to wait, after tries that failed.
 //
 //   failures in a row:  1      2      3     4    5    6 and more
 //   wait:               0.25   0.5    1     2    4    8 s

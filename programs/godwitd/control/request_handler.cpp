@@ -15,8 +15,9 @@ namespace {
 json no_points(const ask_error& why) {
   const bool does_not_run = why.code == runtime::ask_errc::not_taken;
   return {{"ok", false},
-          {"error", does_not_run ? "nobody looks for points of interest now: no mission with scanning is flown"
-                                 : "there is no answer: " + why.what + "; ask for the points before you say it again"}};
+          {"error", does_not_run
+                        ? "nobody looks for points of interest now: no mission with scanning is flown"
+                        : "there is no answer: " + why.what + "; ask for the points before you send it again"}};
 }
 
 std::string words_of(const scan_controller::decide_point& decided) {
@@ -213,7 +214,7 @@ void request_handler::say(const control_request& asked) {
         else
           answer_with(asked.ticket, {{"ok", false},
                                      {"error", "operator_bridge does not answer: " + why.what +
-                                                   "; ask for the status before you say it again. pause and "
+                                                   "; ask for the status before you send it again. pause and "
                                                    "come-home go out all the same"}});
       });
 }
@@ -322,7 +323,7 @@ void request_handler::pass_on(const control_request& asked, const std::string& w
         note(asked, what, false, "there is no answer");
         answer_with(asked.ticket,
                     {{"ok", false},
-                     {"error", "there is no answer: " + why.what + "; ask for the status before you say it again"}});
+                     {"error", "there is no answer: " + why.what + "; ask for the status before you send it again"}});
       });
 }
 

@@ -63,7 +63,7 @@ tl::expected<control_request, std::string> read_decision(const json& document, s
   if (result.decided.number == 0)
     return tl::make_unexpected(std::string("a decision names the point of interest, such as \"point\": 3"));
   if (result.decided.by.empty())
-    return tl::make_unexpected(std::string("a decision says whose it is, such as \"by\": \"anna\""));
+    return tl::make_unexpected(std::string("a decision names who made it, such as \"by\": \"anna\""));
   return result;
 }
 
@@ -71,7 +71,7 @@ tl::expected<control_request, std::string> read_command(const json& document, op
   auto result = request_of(document, request_kind::command);
   result.said.kind = kind;
   if (result.by.empty())
-    return tl::make_unexpected(std::string("a command to the flight says whose it is, such as \"by\": \"anna\""));
+    return tl::make_unexpected(std::string("a command to the flight names who sends it, such as \"by\": \"anna\""));
   result.said.by = result.by;
   result.said.after = text_of(document, "after");
   result.said.state = text_of(document, "state");
@@ -109,7 +109,7 @@ tl::expected<control_request, std::string> read_override(const json& document) {
   const bool is_too_large = is_number && seconds->is_number_unsigned() &&
                             seconds->get<std::uint64_t>() > static_cast<std::uint64_t>(max_override_s);
   if (!is_number || is_too_large || seconds->get<std::int64_t>() <= 0)
-    return tl::make_unexpected("\"seconds\" says for how long: 1 to " + std::to_string(max_override_s));
+    return tl::make_unexpected("\"seconds\" is for how long: 1 to " + std::to_string(max_override_s));
   auto result = request_of(document, request_kind::override_rule);
   result.overridden.scope = *rule;
   result.overridden.reason = result.by + ": " + text_of(document, "reason");
@@ -126,7 +126,7 @@ tl::expected<control_request, std::string> read_control(const json& document) {
   result.to = text_of(document, "to");
   if (!operator_bridge::names_whom_it_needs(*act, result.to))
     return tl::make_unexpected(std::string(result.to.empty() ? "hand_over says to whom, such as \"to\": \"bob\""
-                                                             : "only hand_over says to whom"));
+                                                             : "only hand_over has a receiver"));
   return result;
 }
 
@@ -171,7 +171,7 @@ tl::expected<control_request, std::string> read_login(const json& document) {
 tl::expected<control_request, std::string> read_sign(const json& document) {
   auto result = request_of(document, request_kind::sign);
   if (result.by.empty())
-    return tl::make_unexpected(std::string("sign says whose word it is, such as \"by\": \"anna\""));
+    return tl::make_unexpected(std::string("sign names who sends it, such as \"by\": \"anna\""));
   if (const auto off = document.find("off"); off != document.end()) {
     if (!off->is_boolean())
       return tl::make_unexpected(std::string("\"off\" is true or false"));

@@ -41,7 +41,7 @@ tl::expected<void, std::string> clear_the_way(const std::string& path, const soc
   if (::connect(probe.number(), as_sockaddr(address), sizeof address) == 0 || errno == EAGAIN)
     return tl::make_unexpected(path + ": another godwitd listens there; end it, or name another place with --control");
   if (errno != ECONNREFUSED)
-    return tl::make_unexpected(path + ": whether a godwitd listens there can not be told: " + std::strerror(errno) +
+    return tl::make_unexpected(path + ": whether a godwitd listens there is not known: " + std::strerror(errno) +
                                "; name another place with --control");
   if (::unlink(path.c_str()) != 0)
     return tl::make_unexpected(path + ", which an earlier godwitd left, can not be removed: " + std::strerror(errno));

@@ -143,7 +143,7 @@ steps core::on_deleted(const mission_client::mission_deleted& news) {
   if (!is_mine(news.mission_id) || phase_ == phase::over)
     return {};
   return {announce{"the service has deleted mission " + news.mission_id +
-                       "; what is owed for it is kept on board as orphaned",
+                       "; what is still to be delivered for it is kept on board as orphaned",
                    true}};
 }
 
@@ -161,7 +161,7 @@ steps core::resolved() {
   }
   steps result;
   result.emplace_back(announce{
-      wanted_.has_service ? std::string("all that was owed for the mission is delivered")
+      wanted_.has_service ? std::string("all reports of the mission are delivered")
                           : std::string("the sightings are on the map; without a service nothing is delivered"),
       false});
   phase_ = phase::over;

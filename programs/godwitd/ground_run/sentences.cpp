@@ -93,7 +93,7 @@ std::string delivery_sentence(const mission_client::service_status& now) {
   if (now.may_deliver)
     return "the delivery fails, and is tried again: " + now.delivery_error;
   return "the service does not allow the delivery: " + now.delivery_error +
-         "\nWhat is owed is kept on board. Put the right token into the token file; then "
+         "\nWhat is not delivered is kept on board. Put the right token into the token file; then "
          "`godwitd ctl outbox-retry` tries again, or the next start of godwitd.";
 }
 
@@ -101,7 +101,7 @@ std::string kept_sentence(const mission_client::mission_resolved& news, std::uin
   std::string result = counted(news.orphaned, "delivery", "deliveries") + " orphaned, " + std::to_string(news.expired) +
                        " expired, " + counted(on_map, "row", "rows") + " left on the map";
   result +=
-      ": they are kept on board. `godwitd --outbox` and `godwitd ctl status` tell more, `godwitd ctl outbox-retry` "
+      ": they are kept on board. `godwitd --outbox` and `godwitd ctl status` show more, `godwitd ctl outbox-retry` "
       "tries them again while godwitd runs.";
   return result;
 }

@@ -33,7 +33,7 @@ struct camera_parts {
 
 class camera_api : public std::enable_shared_from_this<camera_api> {
 public:
-  static constexpr std::int64_t wanted_for_ns = 3'000'000'000; // behind the last who asked
+  static constexpr std::int64_t wanted_for_ns = 3'000'000'000; // after the last who asked
   static constexpr std::int64_t picture_gap_ms = 100;
   static constexpr std::int64_t counts_for_ns = 5'000'000'000; // an older picture is none
 

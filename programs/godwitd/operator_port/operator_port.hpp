@@ -42,7 +42,7 @@ public:
   [[nodiscard]] boost::asio::io_context& context();
   // ROUTES of all parts. After an error it may be tried again.
   [[nodiscard]] tl::expected<void, std::string> open(const settings& wanted, route_list routes, port_guards by = {});
-  // Runs WHAT in the thread of the port behind the end of all connections, then ends that thread.
+  // Runs WHAT in the thread of the port after the end of all connections, then ends that thread.
   void close(const std::function<void()>& what = {});
 
   [[nodiscard]] std::string place() const; // "127.0.0.1:8088"; empty: it is not open

@@ -123,9 +123,9 @@ tl::expected<operator_bridge::operator_command, body_problem> read_command(std::
   const auto kind = *body->command;
   operator_bridge::operator_command result;
   if (body->id.empty())
-    return wrong("id", "an id is missing: another one for each command that is meant, the same when it is said again");
+    return wrong("id", "an id is missing: another one for each command that is meant, the same when it is sent again");
   if (body->valid_until.empty() && kind != command_kind::pause)
-    return wrong("valid_until", "a time is missing, such as 2026-05-04T10:15:30Z: later it is not obeyed");
+    return wrong("valid_until", "a time is missing, such as 2026-05-04T10:15:30Z: later it is not executed");
   if (!body->valid_until.empty()) {
     const auto until = mission::time_of_utc_text(body->valid_until);
     if (!until || *until <= 0)
@@ -154,7 +154,7 @@ tl::expected<control_body, body_problem> read_control(std::string_view text) {
   if (!body->act)
     return wrong("act", "take, take_over, give or hand_over is missing");
   if (!operator_bridge::names_whom_it_needs(*body->act, body->to))
-    return wrong("to", body->to.empty() ? "to whom is missing" : "only hand_over says to whom");
+    return wrong("to", body->to.empty() ? "to whom is missing" : "only hand_over has a receiver");
   return control_body{*body->act, std::move(body->to)};
 }
 

@@ -3,7 +3,7 @@
 //   std::vector<route> routes{{"GET", "/healthz", 0, [](server_request asked, responder answer) { ... }}};
 //
 // A handler is called in the thread of the port, must not block, and answers at once or later; Host, Origin, method and
-// sizes have been looked at by then, and the security headers are added behind it. Thread: plain values.
+// sizes have been looked at by then, and the security headers are added after it. Thread: plain values.
 #pragma once
 
 #include <cstddef>

@@ -13,7 +13,7 @@ namespace {
 
 using io::http::problem_response;
 
-// The first segment of REST, which goes on behind it.
+// The first segment of REST, which goes on after it.
 std::string_view take_segment(std::string_view& rest) {
   const auto end = std::min(rest.find('/'), rest.size());
   const auto result = rest.substr(0, end);

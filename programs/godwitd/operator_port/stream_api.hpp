@@ -4,7 +4,7 @@
 //
 // Each client has its own queue in the hub, and one text under way: a slow one is dropped from, told, and ended, and
 // nobody waits for it. Who says something is closed: there is nothing to say. Errors: 426 and 400 before there is a
-// WebSocket, a close code and a reason behind. Thread: that of the context; the hub wakes it from any.
+// WebSocket, a close code and a reason after. Thread: that of the context; the hub wakes it from any.
 #pragma once
 
 #include <cstdint>

@@ -63,7 +63,7 @@ tl::expected<wanted_list, std::string> read_topics(std::string_view target) {
     return all_topics();
   auto query = target.substr(mark + 1);
   if (!query.starts_with(key) || query.find('&') != std::string_view::npos)
-    return tl::make_unexpected("The one thing that can be said is topics=NAME,NAME.");
+    return tl::make_unexpected("The only parameter is topics=NAME,NAME.");
   query.remove_prefix(key.size());
   wanted_list result;
   while (!query.empty() && result.size() < telemetry_stream::topic_count) {

@@ -127,7 +127,7 @@ void feeder::put_aside(const scan_controller::candidate& untaken) {
     untaken_.pop_front();
 }
 
-// The oldest, and behind it the others as long as somebody takes them.
+// The oldest, and after it the others as long as somebody takes them.
 void feeder::offer_again() {
   if (untaken_.empty() || is_offering_again_)
     return;

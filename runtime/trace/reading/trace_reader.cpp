@@ -237,7 +237,7 @@ const trace_reader::string_map& trace_reader::about(std::uint64_t run) const {
   return found == about_.end() ? nothing : found->second;
 }
 
-// A cut is a hole only if records of this run stand behind it.
+// A cut is a hole only if records of this run stand after it.
 void trace_reader::take(const io::mcap::unreadable& lost) {
   if (list_ && lost.is_cut && next_file_ == files_.size()) {
     resume_at_ = lost.offset;

@@ -174,7 +174,8 @@ TEST_P(behind_a_landing_with_an_item, where_home_is_not_told_it_holds_and_is_cal
   ASSERT_TRUE(world.say(command_kind::start).is_taken);
   ASSERT_TRUE(world.run_until_phase(phase::flying, 60)) << world.story();
   ASSERT_TRUE(world.run_until_phase(phase::paused, 10)) << world.story();
-  EXPECT_NE(world.durable().status.reason.find("does not tell where its home is"), std::string::npos) << world.story();
+  EXPECT_NE(world.durable().status.reason.find("does not report where its home is"), std::string::npos)
+      << world.story();
   world.run_for(3);
   ASSERT_TRUE(world.say(command_kind::come_home).is_taken);
   ASSERT_TRUE(world.run_until([&] { return !world.vehicle().describe().armed; }, 300)) << world.story();

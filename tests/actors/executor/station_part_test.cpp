@@ -80,7 +80,7 @@ TEST_P(part_by_station, FR_00089_what_flies_begins_with_the_take_off_and_goes_on
   ASSERT_TRUE(is_answered(start_verdict::started));
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
   EXPECT_EQ(world.shown_reached(), drives() ? (numbers{2}) : (numbers{0, 3, 4})) << world.story();
-  EXPECT_TRUE(drives() || was_said(world, "items 3 to 4 of 5 are prepared, behind the take-off")) << world.story();
+  EXPECT_TRUE(drives() || was_said(world, "items 3 to 4 of 5 are prepared, after the take-off")) << world.story();
 }
 
 TEST_P(part_by_station, a_plan_without_a_take_off_before_the_item_is_not_begun_there) {

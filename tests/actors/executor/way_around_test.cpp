@@ -192,7 +192,7 @@ TEST_P(come_home, is_straight_where_it_is_not_known_where_the_vehicle_is) {
   ASSERT_TRUE(world->say(command_kind::come_home).is_taken);
   run_for(1);
   EXPECT_GT(world->orders(), orders);
-  EXPECT_TRUE(was_said("does not tell where it is")) << world->story();
+  EXPECT_TRUE(was_said("does not report where it is")) << world->story();
   EXPECT_FALSE(was_said("it holds, and then flies around")) << world->story();
 }
 

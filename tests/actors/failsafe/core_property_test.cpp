@@ -210,7 +210,7 @@ RC_GTEST_PROP(failsafe_property, a_killed_process_makes_no_second_return, ()) {
   world.run_s(10);
   world.east_m = 101;
   const auto before = static_cast<std::size_t>(world.remembered);
-  world.run_ms(random.between(3, 30) * 100); // behind the second position outside
+  world.run_ms(random.between(3, 30) * 100); // after the second position outside
   const auto lost = static_cast<int>(static_cast<std::size_t>(world.remembered) - before);
   world.kill(static_cast<std::size_t>(random.between(0, lost)));
   world.mode = in_return; // it obeyed meanwhile

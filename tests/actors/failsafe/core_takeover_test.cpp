@@ -14,7 +14,7 @@ using godwit::vehicle_link::command_verdict;
 
 constexpr std::uint16_t last_item = 6;
 
-// On its mission, behind whose last item the vehicle changes its mode.
+// On its mission, after whose last item the vehicle changes its mode.
 flight_world ends_in(const flight_mode& mode) {
   flight_world world;
   world.set_fences({fence_of(fence_kind::inclusion, square(100))}, {}, {last_item, false, {mode.custom_mode}});
@@ -374,7 +374,7 @@ TEST(failsafe_core, once_it_has_acted_a_mode_into_which_the_plan_leads_is_a_pilo
   }
 }
 
-// -- behind its own return -------------------------------------------------------------------------
+// -- after its own return -------------------------------------------------------------------------
 
 // At home, or because a person says so: by its mode alone nobody can tell.
 TEST(failsafe_core, a_hold_that_follows_the_return_is_not_answered_with_the_same_again) {

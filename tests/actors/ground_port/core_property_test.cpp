@@ -186,7 +186,7 @@ bool is_reading(const vehicle_link::relayed_frame& m) {
   return row != nullptr && row->on == passing::pass_list::passes;
 }
 
-// Whatever stations say: what a person could mean goes on only with an answer of the executor, or as a stop behind the
+// Whatever stations say: what a person could mean goes on only with an answer of the executor, or as a stop after the
 // word to the failsafe; what is godwit's never does.
 // Sticks in the middle, x, y and r of MANUAL_CONTROL, are passed on as what is read is.
 bool moves_nothing(const vehicle_link::relayed_frame& m) {

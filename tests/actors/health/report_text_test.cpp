@@ -62,7 +62,7 @@ TEST(health_report, there_are_no_figures_of_what_there_is_none_of) {
     EXPECT_EQ(text.find(part), std::string::npos) << part;
 }
 
-// Prometheus, "Metric and label naming": prefix, base units, _total behind counters and nowhere else; each family once.
+// Prometheus, "Metric and label naming": prefix, base units, _total after counters and nowhere else; each family once.
 TEST(health_report, names_keep_to_the_conventions_of_prometheus) {
   const std::regex head("# (HELP|TYPE) (godwit_[a-z_]+)( .+)");
   const std::regex sample(R"re((godwit_[a-z_]+)(\{[a-z]+="[^"\n]*"(,[a-z]+="[^"\n]*")*\})? [-+0-9.eInf]+)re");

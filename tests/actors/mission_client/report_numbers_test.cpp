@@ -19,7 +19,7 @@ std::vector<std::uint32_t> numbers(const service_mission& m) {
   return result;
 }
 
-// Of the plan behind those that the service has from before.
+// Of the plan after those that the service has from before.
 report_progress next_plans(std::uint32_t number) {
   auto result = report(mission_a, number);
   result.report.generation = 2;
@@ -75,7 +75,7 @@ TEST(mission_client_reports, what_the_service_has_and_this_journal_has_not_is_to
   ASSERT_TRUE(earlier && earlier->last_report);
   EXPECT_EQ(earlier->last_report_no, 3U);
   EXPECT_EQ(*earlier->last_report, report(mission_a, 3).report);
-  // Whoever goes on behind it is not renumbered.
+  // Whoever goes on after it is not renumbered.
   p.say(next_plans(4));
   p.advance(2s);
   EXPECT_EQ(around.service.repeated_rows, 0U);

@@ -352,7 +352,7 @@ TEST(movement_detector_core, pictures_that_say_nothing_are_told_after_five_secon
     (void)e.telemetry();
     (void)e.all.on_status(blurred, e.now);
   }
-  EXPECT_EQ(e.all.health(e.now).reason, "the pictures say nothing: the picture is blurred");
+  EXPECT_EQ(e.all.health(e.now).reason, "the pictures are of no use: the picture is blurred");
 }
 
 } // namespace core_test

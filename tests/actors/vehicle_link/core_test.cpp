@@ -86,7 +86,7 @@ TEST(vehicle_link_core, who_asks_is_told_ages_numbers_and_errors_by_kind) {
   std::vector<std::byte> bytes(damaged.span().begin(), damaged.span().end());
   bytes.back() ^= std::byte{0xff};
   (void)c.it.on_bytes(link::only_peer, true, bytes, at(2 * s));
-  (void)c.vehicle.beat(c.it, 2 * s); // a frame behind it, so that the damaged one is not waited for
+  (void)c.vehicle.beat(c.it, 2 * s); // a frame after it, so that the damaged one is not waited for
   const auto beats = sent_of<mavlink::heartbeat>(c.it.on_time(at(2 * s))).size();
   const auto now = c.it.describe(at(2 * s));
   EXPECT_EQ(now.last_heartbeat_age_ms, 0);
@@ -692,7 +692,7 @@ TEST(vehicle_link_core, signed_frames_of_the_vehicle_are_believed_and_ours_are_s
 }
 
 // ArduPilot puts its signing clock a minute on at each start, forgets whom it has heard, and takes no new stream that
-// is more than a minute behind.
+// is more than a minute after.
 class signing_ardupilot {
 public:
   explicit signing_ardupilot(const signing_settings& link) : key_(link.key) { start(); }

@@ -193,7 +193,7 @@ TEST(vehicle_link_on_a_line, a_flood_of_garbage_lets_good_frames_through_and_mem
   const io::link::testing::udp_end attacker;
   ASSERT_TRUE(beat_until_connected([&](const std::string& text) { vehicle.send(to, text); }, p.heard));
   const std::string garbage = "\xFD\xFF" + std::string(100, '\xFD') + "half a frame";
-  // 10,000 datagrams of garbage a second, paced: a good frame behind each hundred.
+  // 10,000 datagrams of garbage a second, paced: a good frame after each hundred.
   const auto send_for = [&](int hundreds) {
     for (int i = 0; i < hundreds; ++i) {
       for (int k = 0; k < 100; ++k)

@@ -50,7 +50,7 @@ TEST(frame, view_is_only_given_of_exactly_one_frame) {
 
 TEST(frame, with_one_bit_changed_fails_its_checksum) {
   const auto whole = from_hex("fd09000000ffbe000000000000001208000403211a");
-  for (std::size_t bit = 24; bit < whole.size() * 8; ++bit) { // behind length and flag, which move the checksum
+  for (std::size_t bit = 24; bit < whole.size() * 8; ++bit) { // after length and flag, which move the checksum
     auto changed = whole;
     changed[bit / 8] ^= static_cast<std::byte>(1U << (bit % 8));
     EXPECT_FALSE(crc_matches(frame_view(changed.data()), heartbeat::crc_extra)) << bit;

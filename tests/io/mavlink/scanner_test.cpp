@@ -187,7 +187,7 @@ TEST(scanner, where_the_joined_bytes_have_no_right_checksum_the_frames_in_them_a
   scanner frames;
   const auto half = byte_view(good).first(good.size() / 2);
   const auto rest = byte_view(good).subspan(good.size() / 2);
-  frames.feed_next_datagram(half, ignore); // the datagram behind it is lost
+  frames.feed_next_datagram(half, ignore); // the datagram after it is lost
   for (int i = 0; i < 30; ++i)
     frames.feed_next_datagram(
         joined({byte_buffer(rest.begin(), rest.end()), good, byte_buffer(half.begin(), half.end())}), ignore);

@@ -72,7 +72,7 @@ struct two_channels {
 [[nodiscard]] seen_message numbered(std::uint32_t n);
 [[nodiscard]] result<void> write_numbered(segment_writer& writer, const two_channels& channels, std::uint32_t n);
 
-// Three chunks of four messages, metadata behind the second; closed or left without its end.
+// Three chunks of four messages, metadata after the second; closed or left without its end.
 inline constexpr std::uint32_t small_recording_messages = 12;
 void write_small_recording(const std::filesystem::path& path, bool closed);
 

@@ -187,7 +187,7 @@ TEST(mcap_salvage, two_files_in_one_are_both_read) {
   append_bytes(twice, once);
   const auto seen = salvage(twice);
   EXPECT_EQ(seen.messages.size(), 2 * small_recording_messages);
-  EXPECT_EQ(seen.lost.size(), 1U) << "that there is more behind the end";
+  EXPECT_EQ(seen.lost.size(), 1U) << "that there is more after the end";
 }
 
 TEST(mcap_file_summary, only_a_sound_end_gives_one) {

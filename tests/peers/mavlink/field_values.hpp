@@ -61,7 +61,7 @@ void randomise(V& value, std::mt19937_64& random) {
   std::memcpy(&value, bytes.data(), sizeof value);
 }
 
-// A text of any length. Half of them have something behind their NUL, which nobody may read as part of the text.
+// A text of any length. Half of them have something after their NUL, which nobody may read as part of the text.
 template <std::size_t N>
 void randomise(std::array<char, N>& text, std::mt19937_64& random) {
   const auto length = static_cast<std::size_t>(random() % (N + 1));

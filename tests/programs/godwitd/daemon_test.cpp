@@ -32,7 +32,7 @@ TEST_F(daemon_run, a_mission_is_fetched_its_map_pulled_and_what_was_seen_is_deli
   EXPECT_EQ(world.service->rows(mission_id(0), row_kind::observation).size(), 1'200U);
   program listing(godwitd, {"--outbox", "--journal", world.folder.file("here/godwit.db")});
   EXPECT_EQ(listing.ends(), 0);
-  EXPECT_NE(listing.said().find("nothing is owed"), std::string::npos) << listing.said();
+  EXPECT_NE(listing.said().find("nothing is pending"), std::string::npos) << listing.said();
 }
 
 TEST_F(daemon_run, started_again_with_the_same_words_it_delivers_nothing_twice) {
@@ -48,7 +48,7 @@ TEST_F(daemon_run, started_again_with_the_same_words_it_delivers_nothing_twice) 
 TEST_F(daemon_run, it_stays_until_it_is_told_to_end_and_can_be_asked_meanwhile) {
   const auto seen = world.folder.write("seen", sighting_lines(5));
   program daemon(godwitd, world.words("here") + std::vector<std::string>{"--sightings", seen});
-  ASSERT_TRUE(daemon.waits_for("all that was owed for the mission is delivered")) << daemon.said();
+  ASSERT_TRUE(daemon.waits_for("all reports of the mission are delivered")) << daemon.said();
   const auto socket = world.folder.file("here/godwit.control");
   const auto status = control::ask_daemon(socket, {{"do", "status"}});
   ASSERT_TRUE(status) << status.error();
@@ -115,7 +115,7 @@ TEST_F(daemon_run, a_vehicle_that_can_not_be_reached_is_said_and_the_rest_goes_o
   const auto seen = world.folder.write("seen", sighting_lines(5));
   program daemon(godwitd, words + std::vector<std::string>{"--sightings", seen});
   EXPECT_TRUE(daemon.waits_for("192.0.2.1")) << daemon.said();
-  EXPECT_TRUE(daemon.waits_for("all that was owed for the mission is delivered")) << daemon.said();
+  EXPECT_TRUE(daemon.waits_for("all reports of the mission are delivered")) << daemon.said();
 }
 
 TEST_F(daemon_run, what_flew_for_an_earlier_mission_is_delivered_before_the_next_one_is_fetched) {

@@ -16,7 +16,7 @@ TEST(operator_text, a_row_of_the_audit_says_when_who_what_and_what_came_of_it) {
                  {"count", 2}};
   EXPECT_EQ(audit_text({{"rows", {row}}}),
             "2027-01-15T08:00:00Z  anna (operator, s7): start: refused, 2 times (not ready)");
-  EXPECT_EQ(audit_text({{"rows", json::array()}}), "nobody has said anything");
+  EXPECT_EQ(audit_text({{"rows", json::array()}}), "there are no entries");
   auto numbered = row;
   numbered["number"] = 1'200;
   EXPECT_EQ(audit_text({{"rows", {numbered}}, {"has_older", true}}).substr(0, 46),

@@ -61,8 +61,8 @@ TEST(outbox_listing, people_read_when_it_is_tried_again_and_why_it_was_not_deliv
   EXPECT_EQ(table_of(listing, 150 * second_ns),
             "b  pending  progress, mission 7d1c, 50 s old, tried 3 times, next try in 10 s\n"
             "    no answer\n"
-            "1 owed; 4 delivered and still kept\n");
-  EXPECT_EQ(table_of({}, 0), "nothing is owed; 0 delivered and still kept\n");
+            "1 pending; 4 delivered and still kept\n");
+  EXPECT_EQ(table_of({}, 0), "nothing is pending; 0 delivered and still kept\n");
 }
 
 TEST(outbox_listing, programs_read_the_same_as_json) {

@@ -83,7 +83,7 @@ TEST_F(failing_disk_test, a_recovery_is_answered_from_the_database_and_what_wait
   EXPECT_EQ(state->effects[1].id, (effect_id{2, 0}));
   ASSERT_EQ(state->seen.size(), 2U);
   EXPECT_EQ(state->seen[1].upto, (effect_id{1, 0})) << "a mark never goes back";
-  // The new incarnation goes on at once; its writes wait behind the others.
+  // The new incarnation goes on at once; its writes wait after the others.
   auto third = event_write("a", 3, 2);
   third.snapshot = snapshot_record{3, 3, 1, "{}"};
   auto third_result = submit(*journal, std::move(third));

@@ -335,7 +335,7 @@ TEST(guardian, tells_to_a_child_that_is_not_wanted_are_dropped_and_counted) {
 TEST(guardian, what_waited_for_a_child_in_its_back_off_is_dropped_when_it_is_given_up) {
   world_of_workers w(with(2));
   w.start();
-  for (int i = 0; i < 2; ++i) { // at once, then behind 100 ms
+  for (int i = 0; i < 2; ++i) { // at once, then after 100 ms
     EXPECT_TRUE(w.world.kill("second"));
     w.world.run_until_idle();
   }

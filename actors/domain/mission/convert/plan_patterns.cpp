@@ -199,7 +199,7 @@ std::optional<vehicle_item> read_simple_item(plan_source& source, const plan_nod
   const auto used_frame = source.integer(node, "frame");
   if (id < 0 || id > std::numeric_limits<std::uint16_t>::max() || used_frame < 0 ||
       used_frame > std::numeric_limits<std::uint8_t>::max())
-    source.wrong(node, "has a command or frame that MAVLink can not say", {});
+    source.wrong(node, "has a command or frame that MAVLink does not have", {});
   result.command = static_cast<std::uint16_t>(id);
   result.frame = static_cast<std::uint8_t>(used_frame);
   result.autocontinue = source.flag(node, "autoContinue");

@@ -25,7 +25,7 @@ result failing(const facts& seen) {
   if (marks_landing(seen) &&
       ((words.empty() && seen.mission.is_brought) || words.find("RTL_AUTOLAND") != std::string::npos))
     return fail(std::string(words.empty()
-                                ? "The autopilot's own checks fail, and it does not say which; it may be this: "
+                                ? "The autopilot's own checks fail, and it does not report which; it may be this: "
                                 : "") +
                 "The plan marks its landing with DO_LAND_START, and a plane is armed with such a plan only when its "
                 "RTL_AUTOLAND is set. Set RTL_AUTOLAND to 3 in the vehicle, or flight.marks_landings to false." +
@@ -44,11 +44,11 @@ result look_at_autopilot_checks(const facts& seen, const settings&) {
   case own_checks::failing:
     return failing(seen);
   case own_checks::not_told:
-    return degraded("The autopilot does not say whether its own checks pass; look at its messages.");
+    return degraded("The autopilot does not report whether its own checks pass; look at its messages.");
   case own_checks::unknown:
     break;
   }
-  return fail("Nothing was heard of the autopilot's own checks yet; wait until the vehicle tells its state.");
+  return fail("Nothing was heard of the autopilot's own checks yet; wait until the vehicle reports its state.");
 }
 
 own_checks own_checks_of(const io::mavlink::sys_status& told, io::mavlink::mav_autopilot autopilot) {

@@ -8,7 +8,7 @@ result look_at_battery(const facts& seen, const settings& set) {
   if (!is_vehicle_heard(seen))
     return skipped("The vehicle is not heard: what is left in its battery is not known.");
   if (!seen.vehicle.battery_percent)
-    return fail("Nothing was heard of the battery yet; wait until the vehicle tells its state.");
+    return fail("Nothing was heard of the battery yet; wait until the vehicle reports its state.");
   const auto percent = *seen.vehicle.battery_percent;
   if (percent < 0 || percent > 100)
     return degraded("The vehicle does not know what is left in its battery, and so no failsafe will act on it; "

@@ -12,7 +12,7 @@ result look_at_mission(const facts& seen, const settings&) {
   if (now.is_deleted)
     return fail("The missions service has deleted this mission; give the vehicle another one.");
   if (now.plans == nullptr)
-    return fail("The mission is loaded and not planned yet; it is as soon as the vehicle tells where it is.");
+    return fail("The mission is loaded and not planned yet; it is as soon as the vehicle reports where it is.");
   if (!*now.plans)
     return fail("The mission can not be flown by this vehicle. " + now.plans->error().message());
   if (now.plans->value().empty())

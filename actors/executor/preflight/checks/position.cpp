@@ -37,7 +37,7 @@ result look_at_position(const facts& seen, const settings& set) {
   if (!is_in_three_dimensions(now.fix))
     return fail("The vehicle has no position fix in three dimensions; wait for it under an open sky.");
   if (!now.position_age_ns || *now.position_age_ns > set.position_stale_ms * ns_per_ms)
-    return fail("The vehicle tells no position, or an old one; wait until its position estimate is ready.");
+    return fail("The vehicle reports no position, or an old one; wait until its position estimate is ready.");
   if (now.satellites && *now.satellites < set.min_satellites)
     return degraded("Fewer than " + std::to_string(set.min_satellites) +
                     " satellites are received; wait, or go where more of the sky is seen.");

@@ -29,11 +29,11 @@ result look_at_vehicle_ready(const facts& seen, const settings&) {
                 "it is." +
                 in_its_words(seen));
   case estimate::not_told:
-    return skipped("The vehicle does not tell whether its position estimate is ready; look at its messages.");
+    return skipped("The vehicle does not report whether its position estimate is ready; look at its messages.");
   case estimate::unknown:
     break;
   }
-  return fail("Nothing was heard of the vehicle's position estimate yet; wait until it tells.");
+  return fail("Nothing was heard of the vehicle's position estimate yet; wait until it is reported.");
 }
 
 estimate estimate_of(std::uint16_t flags) {

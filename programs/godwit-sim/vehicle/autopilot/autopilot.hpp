@@ -161,7 +161,7 @@ protected:
   // Where its autopilot sends it: on the line of who asked, or wherever it was heard.
   void acknowledge(const role::order& what, answer result);
   void ask_for_restart() { wants_restart_ = true; }
-  // A message that goes out behind the answer to the order that is being carried out.
+  // A message that goes out after the answer to the order that is being carried out.
   void owe(std::uint32_t message) { owed_message_ = message; }
 
 private:
@@ -194,7 +194,7 @@ private:
   equipment with_;
   instant now_;
   refused_orders refusals_;
-  std::optional<std::uint32_t> owed_message_; // goes out behind the answer
+  std::optional<std::uint32_t> owed_message_; // goes out after the answer
   double speed_mps_ = 0;                      // of a `go`; 0: the craft's own
   bool wants_restart_ = false;
 };

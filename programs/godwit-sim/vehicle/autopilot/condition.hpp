@@ -14,7 +14,7 @@ struct condition {
   bool is_armed = false;
   bool has_position = true;    // from satellites
   bool is_ready = true;        // has been up for as long as it needs before it flies
-  bool has_estimate = true;    // its estimator knows where it is: some time behind a start, and while it has a position
+  bool has_estimate = true;    // its estimator knows where it is: some time after a start, and while it has a position
   bool is_plan_armable = true; // by its own checks
   bool is_battery_empty = false;
   bool is_home_fixed = false;        // by a command: arming moves it no longer

@@ -22,7 +22,7 @@ enum opcode : std::uint8_t {
 
 enum error : std::uint8_t { invalid_session = 4, end_of_file = 6, unknown_command = 7, file_not_found = 10 };
 
-// In the payload of the message: network, target system, target component, and the protocol's own header behind.
+// In the payload of the message: network, target system, target component, and the protocol's own header after.
 constexpr std::size_t target_at = 1;
 constexpr std::size_t sequence_at = 3;
 constexpr std::size_t session_at = 5;

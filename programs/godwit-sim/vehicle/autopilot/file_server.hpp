@@ -1,6 +1,6 @@
 // The files of a simulated autopilot, as ground stations read them by MAVLink FTP (FILE_TRANSFER_PROTOCOL).
 //
-//   OpenFileRO ──> session ──ReadFile, BurstReadFile──> data, NAK EndOfFile behind the last ──TerminateSession──>
+//   OpenFileRO ──> session ──ReadFile, BurstReadFile──> data, NAK EndOfFile after the last ──TerminateSession──>
 //
 // An ArduPilot has its parameters in one file, @PARAM/param.pck, which QGroundControl and MAVProxy ask for before they
 // ask for parameters one by one. Other files are not found, and what writes is refused. One session at a time. A

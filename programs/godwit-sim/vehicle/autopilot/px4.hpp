@@ -6,7 +6,7 @@
 // is no mission (state 1), and the mission mode is refused (MissionBase::check_mission_valid; seen with
 // GF_MAX_HOR_DIST). The same plan is not checked anew. After a restart the plan that it has kept is no mission either
 // until its position is there, 3 s later (1.18, SIH). A finished mission that does not end on the ground ends in
-// AUTO.LOITER, and so does the mission mode of one that is finished: 0.4 s later, also behind the return with which it
+// AUTO.LOITER, and so does the mission mode of one that is finished: 0.4 s later, also after the return with which it
 // ended (1.18: a mission is complete as its return begins; Mission::on_activation, Commander::checkForMissionUpdate).
 //
 // What it is not: failsafes but for an empty battery, the loss of position and of sticks; manual flight; fences are
@@ -25,7 +25,7 @@ namespace godwit::sim {
 
 class px4 final : public autopilot {
 public:
-  // HOLDS_WHEN_LANDED: behind the landing of a mission, until it disarms (PX4 1.18's VTOL was seen to).
+  // HOLDS_WHEN_LANDED: after the landing of a mission, until it disarms (PX4 1.18's VTOL was seen to).
   explicit px4(const equipment& tools, bool holds_when_landed = false);
 
   using autopilot::take;

@@ -1,6 +1,6 @@
 // What PX4 may say just after it has taken another plan, before its parts agree: news of the old one.
 //
-// Which of them, and whether before or behind the acknowledgement, is drawn for each change of a plan. Thread: one at
+// Which of them, and whether before or after the acknowledgement, is drawn for each change of a plan. Thread: one at
 // a time. Source: messages of real flights.
 #pragma once
 
@@ -26,7 +26,7 @@ public:
   // The message to send before the acknowledgement, if there is one.
   [[nodiscard]] std::optional<message> on_switch(const plan_before& old, const io::mavlink::mission_current& now_says,
                                                  std::mt19937_64& random);
-  // The one to send behind it.
+  // The one to send after it.
   [[nodiscard]] std::optional<message> take_late();
 
 private:

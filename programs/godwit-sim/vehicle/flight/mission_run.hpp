@@ -58,7 +58,7 @@ public:
   void advance();
   // flight: the current item takes no time: it is a DO command, or one that the vehicle can not fly.
   void skip();
-  // flight: the DO and CONDITION commands that belong to the current NAV item are those behind it and before this one.
+  // flight: the DO and CONDITION commands that belong to the current NAV item are those after it and before this one.
   [[nodiscard]] int commands_end() const;
   // flight: whether an item follows the current one, without a halt in between.
   [[nodiscard]] bool goes_on() const;
@@ -80,7 +80,7 @@ private:
   [[nodiscard]] next_item find_next() const;
   [[nodiscard]] bool has_nav_from(int sequence) const;
   [[nodiscard]] std::optional<int> jump_target(int sequence) const; // nothing: it is no jump, or is passed over
-  [[nodiscard]] int end() const;                                    // behind the last one to run
+  [[nodiscard]] int end() const;                                    // after the last one to run
   void take(std::vector<io::mavlink::mission_item_int> items, int first_flown);
   void enter(int sequence);
   void count_jump(int sequence);

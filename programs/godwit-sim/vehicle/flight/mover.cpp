@@ -133,7 +133,7 @@ bool mover::is_still() const {
 
 bool mover::is_low() const { return body_.where.altitude_m - ground_m_ < slow_below_m; }
 
-// A fixed wing rolls on behind its touch-down.
+// A fixed wing rolls on after its touch-down.
 void mover::meet_ground() {
   const double height_m = body_.where.altitude_m - ground_m_;
   if (is_in_air_ && height_m <= 0) {

@@ -8,7 +8,7 @@
 namespace godwit::sim {
 
 constexpr double gravity_mps2 = 9.80665;
-// Less than what a body can do, so that it stops before the place and not behind it.
+// Less than what a body can do, so that it stops before the place and not beyond it.
 constexpr double braking_margin = 0.8;
 
 // By MOST at the most.

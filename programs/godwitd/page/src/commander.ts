@@ -15,7 +15,7 @@ export class commander {
   under_way = new Set<string>();
   pointing: pointed_command | undefined; // the next click on the map is its place
   target: place | undefined;
-  after = ""; // of an insert: behind this item; empty: next
+  after = ""; // of an insert: after this item; empty: next
   altitude_m = 30;
   override = { rule: "operator_link", minutes: 10, reason: "" }; // of the failsafe, as it is filled in
 

@@ -200,7 +200,7 @@ export class page {
 
   // -- who is here ----------------------------------------------------------------------------------
 
-  // http://...:8088/#login=WORD, as ./dev demo --page prints it. What stands behind # is sent to nobody.
+  // http://...:8088/#login=WORD, as ./dev demo --page prints it. What comes after # is sent to nobody.
   private async log_in_by_address(): Promise<void> {
     const link = /^#login=([\w-]+)$/.exec(location.hash)?.[1];
     if (link === undefined) return;

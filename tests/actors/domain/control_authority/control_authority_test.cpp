@@ -28,7 +28,7 @@ control_authority in_flight(const flight_mode& mode = automatic) {
   return result;
 }
 
-// The last item is a waypoint, behind which PX4 holds.
+// The last item is a waypoint, after which PX4 holds.
 control_authority near_its_end() {
   auto result = in_flight(px4_mission);
   result.set_plan_end({last_item, false, {px4_hold.custom_mode}});

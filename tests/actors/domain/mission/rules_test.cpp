@@ -103,7 +103,7 @@ TEST(rules, a_report_names_an_item_by_id_and_index_or_not_at_all) {
   value.item_index.reset();
   EXPECT_EQ(problems_of(value), "the document has only one of item_id and item_index; allowed: both or none\n");
   value.item_id.reset();
-  EXPECT_EQ(problems_of(value), "the document does not say which item; allowed: item_id and item_index\n");
+  EXPECT_EQ(problems_of(value), "the document does not name its item; allowed: item_id and item_index\n");
   value.kind = progress_kind::complete;
   expect_same_again(value);
 }

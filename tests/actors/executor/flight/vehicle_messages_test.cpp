@@ -43,11 +43,11 @@ using lines = std::vector<std::string>;
 
 TEST(vehicle_messages, what_the_vehicle_says_is_a_line_and_from_warning_up_a_warning) {
   vehicle_messages messages;
-  EXPECT_EQ(take(messages, saying("Arming motors", 6), 0), lines{"the vehicle says: Arming motors"});
-  EXPECT_EQ(take(messages, saying("Takeoff detected", 5), 0), lines{"the vehicle says: Takeoff detected"});
+  EXPECT_EQ(take(messages, saying("Arming motors", 6), 0), lines{"the vehicle reports: Arming motors"});
+  EXPECT_EQ(take(messages, saying("Takeoff detected", 5), 0), lines{"the vehicle reports: Takeoff detected"});
   EXPECT_EQ(take(messages, saying("PreArm: Compass not healthy", 4), 0),
-            lines{"! the vehicle says: PreArm: Compass not healthy"});
-  EXPECT_EQ(take(messages, saying("Crash: Disarming", 0), 0), lines{"! the vehicle says: Crash: Disarming"});
+            lines{"! the vehicle reports: PreArm: Compass not healthy"});
+  EXPECT_EQ(take(messages, saying("Crash: Disarming", 0), 0), lines{"! the vehicle reports: Crash: Disarming"});
   EXPECT_EQ(take(messages, saying("for developers", 7), 0), lines{});
 }
 
@@ -66,7 +66,7 @@ TEST(vehicle_messages, of_a_flood_so_many_are_told_in_ten_seconds_and_how_many_w
     told += take(messages, saying("text " + std::to_string(i)), 0).size();
   EXPECT_EQ(told, vehicle_messages::max_lines);
   EXPECT_EQ(look(messages, 9 * second_ns), lines{});
-  EXPECT_EQ(look(messages, 10 * second_ns), lines{"! the vehicle has said 980 more texts, which are left out"});
+  EXPECT_EQ(look(messages, 10 * second_ns), lines{"! the vehicle has sent 980 more texts, which are left out"});
   EXPECT_EQ(take(messages, saying("text 999"), 11 * second_ns).size(), 1U) << "it was left out before";
   EXPECT_EQ(look(messages, 20 * second_ns), lines{});
 }
@@ -90,7 +90,7 @@ TEST(vehicle_messages, a_text_whose_last_piece_was_lost_is_told_when_it_is_late)
   auto first = saying(std::string(50, 'x'));
   first.id = 3;
   EXPECT_EQ(take(messages, first, 0), lines{});
-  EXPECT_EQ(look(messages, second_ns), lines{"the vehicle says: " + std::string(50, 'x') + "..."});
+  EXPECT_EQ(look(messages, second_ns), lines{"the vehicle reports: " + std::string(50, 'x') + "..."});
 }
 
 } // namespace vehicle_messages_test

@@ -137,6 +137,35 @@ TEST_P(danger, a_pilots_hold_right_after_the_way_to_a_new_plan_is_not_flown_over
   EXPECT_NE(world.heard_mode(), mission_mode(who())) << world.story();
 }
 
+// A change of the plan is uploaded while the vehicle holds, and would be continued with by the mission mode.
+TEST_P(danger, a_vehicle_that_a_person_disarms_in_its_flight_is_not_sent_into_its_mission_mode) {
+  int tried = 0;
+  for (const double seconds : {0.1, 0.3, 0.6, 1.0, 1.5, 2.0, 3.0}) {
+    auto wanted = settings();
+    wanted.most_delay_ms = 150; // the upload takes a while
+    wanted.start = start_policy::automatic;
+    flight_world world(wanted);
+    ASSERT_TRUE(tests::fly_to(world, tests::short_mission(who()), progress_kind::started, "w2"));
+    mission::assignment assignment;
+    assignment.assignment_id = "11111111-2222-4333-8444-100000000001";
+    assignment.base_revision = 1;
+    assignment.revision = 2;
+    assignment.replace_after_item_id = "w2";
+    for (int i = 0; i < 8; ++i)
+      assignment.items.push_back(tests::place(who(), "z" + std::to_string(i), -20 - i, 20));
+    world.assign(assignment);
+    world.run_for(seconds);
+    world.disarm_by_hand();
+    world.run_for(1.3); // a heartbeat shows it
+    if (world.heard_mode() == mission_mode(who()))
+      continue; // it was on its mission then, or was sent on before anybody could know
+    ++tried;
+    const bool never = !world.run_until([&] { return world.heard_mode() == mission_mode(who()); }, 30);
+    EXPECT_TRUE(never) << seconds << " s\n" << world.story();
+  }
+  EXPECT_GT(tried, 0);
+}
+
 // The vehicle stands disarmed with its plan, and would be started by itself. A person has changed its mode, in the
 // upload or after it, in a form that nobody acknowledges to others.
 TEST_P(danger, what_a_person_has_changed_on_the_ground_is_not_started_by_itself) {

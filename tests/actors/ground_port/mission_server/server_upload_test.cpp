@@ -86,7 +86,7 @@ TEST(server_upload, px4_says_nothing_to_a_wrong_item_and_asks_in_its_own_time) {
   EXPECT_EQ(with.wait(260 * ms), words{"REQUEST_INT 1"});
 }
 
-TEST(server_upload, ardupilot_answers_each_item_behind_a_gap_and_then_goes_on_with_the_right_one) {
+TEST(server_upload, ardupilot_answers_each_item_after_a_gap_and_then_goes_on_with_the_right_one) {
   dialogue with(ardupilot_copter_quirks());
   (void)with.tell(count_of(17));
   for (int seq = 1; seq < 17; ++seq)

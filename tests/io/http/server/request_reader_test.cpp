@@ -136,7 +136,7 @@ TEST(http_request_reader, what_is_no_http_is_refused) {
     EXPECT_EQ(reading().refused(text), 400U) << text;
 }
 
-// Two readers that differ about where a request ends are how one request is smuggled behind another: RFC 9112, 11.2.
+// Two readers that differ about where a request ends are how one request is smuggled after another: RFC 9112, 11.2.
 TEST(http_request_reader, a_length_that_can_be_read_in_two_ways_is_refused) {
   for (const auto* lines :
        {"Content-Length: -1\r\n", "Content-Length: 1\r\nContent-Length: 2\r\n", "Content-Length: 1, 2\r\n",

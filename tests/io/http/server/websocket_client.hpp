@@ -22,7 +22,7 @@ public:
   [[nodiscard]] std::string read();
   void write(const std::string& text, bool is_text = true);
   void write_raw(const std::string& bytes);
-  // Of the server, behind the end; 0: it said none.
+  // Of the server, after the end; 0: it said none.
   [[nodiscard]] unsigned close_code() const;
   [[nodiscard]] std::string close_reason() const;
 

@@ -76,7 +76,7 @@ protected:
 
   std::atomic<int> opened = 0;
   std::atomic<int> ended = 0;
-  std::string last_end; // read behind `ended`
+  std::string last_end; // read after `ended`
   bool listens = true;
   websocket_settings set;
   served server{[this](server_request asked, responder answer) { take(asked, std::move(answer)); }};

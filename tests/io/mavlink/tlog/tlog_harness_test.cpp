@@ -49,7 +49,7 @@ TEST(tlog_harness, has_inputs_and_finds_nothing_in_what_is_sound) {
   EXPECT_FALSE(found) << *found;
 }
 
-// Loses the frame behind a broken one, and nothing else.
+// Loses the frame after a broken one, and nothing else.
 struct loses_the_next : tlog_reader {
   using tlog_reader::tlog_reader;
   mcap::result<std::optional<tlog_record>> next() {

@@ -17,7 +17,7 @@ byte_buffer signed_heartbeat() {
 }
 std::string hex_of_heartbeat() { return to_hex(heartbeat_bytes()); }
 
-// What stands around the thing under test: two heartbeats before, two behind, a millisecond apart.
+// What stands around the thing under test: two heartbeats before, two after, a millisecond apart.
 reading read_between(const std::function<void(log_builder&)>& put) {
   log_builder log;
   log.record(some_day_us + 1000, heartbeat_bytes()).record(some_day_us + 2000, heartbeat_bytes());
@@ -97,7 +97,7 @@ TEST(mavlink_tlog_reader, a_time_cut_off_at_any_byte_costs_only_the_time) {
 TEST(mavlink_tlog_reader, false_starts_cost_nothing) {
   for (const std::string_view start :
        {"fd", "fdff0000", "fe40", "fdff00000000000000000000", "fd0000", "fefe", "fdfdfd"}) {
-    // As a record of its own, as bytes between records, and behind a time together with a right frame.
+    // As a record of its own, as bytes between records, and after a time together with a right frame.
     const auto alone = read_between([&](log_builder& log) { log.time(some_day_us + 3000).raw_hex(start); });
     expect_the_four_around(alone);
     EXPECT_EQ(alone.records.size(), 4U) << start;

@@ -43,8 +43,8 @@ TEST(fault, a_mistake_is_named_and_the_form_is_shown) {
       {"faults", "loss=0.1,dup=0.01"},
       {"faults loss=2", "\"loss=2\" is not a share from 0 to 1"},
       {"cut now", "\"now\" is not a time"},
-      {"gps", "\"\" does not say what becomes of the GPS: lost or back"},
-      {"way out", "\"out\" does not say how the way is: blocked or free"},
+      {"gps", "\"\" does not name what happens to the GPS: lost or back"},
+      {"way out", "\"out\" does not name the state of the way: blocked or free"},
       {"battery full", "\"full\" is not a charge of a battery: 0 to 100"},
       {"battery 101", "\"101\" is not a charge"},
       {"say", "\"\" is not what an autopilot says"},
@@ -53,7 +53,7 @@ TEST(fault, a_mistake_is_named_and_the_form_is_shown) {
       {"refuse 65536", "\"65536\" is not a command"},
       {"refuse 300=NO", "\"NO\" is not an answer"},
       {"refuse 300=256", "\"256\" is not an answer"},
-      {"refuse 300 often", "\"often\" does not say how often"},
+      {"refuse 300 often", "\"often\" does not name how often"},
       {"accept", "\"\" is not a command"},
   };
   for (const auto& [text, part] : mistakes) {

@@ -151,7 +151,7 @@ TEST_P(start_at_port, FR_00089_a_statustext_says_mission_started) {
 
 // -- risks, and the order of the answers ----------------------------------------------------------------
 
-TEST_P(start_at_port, FR_00089_an_item_behind_the_end_fails_and_a_wrong_last_one_is_denied) {
+TEST_P(start_at_port, FR_00089_an_item_after_the_end_fails_and_a_wrong_last_one_is_denied) {
   ASSERT_TRUE(bring());
   const auto count = static_cast<float>(items.size());
   EXPECT_EQ(start(count), mav_result::failed) << flight.story();

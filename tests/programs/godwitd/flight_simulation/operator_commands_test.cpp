@@ -55,7 +55,7 @@ protected:
     ASSERT_EQ(say(flight, command_kind::pause, id), verdict::taken) << flight.story();
     ASSERT_TRUE(flight.run_until_phase(phase::paused, 20)) << flight.story();
   }
-  // A resume that was obeyed, or may have been, is not obeyed again behind a hold.
+  // A resume that was obeyed, or may have been, is not obeyed again after a hold.
   static void expect_no_second_resume(flight_simulation& flight, const std::string& id) {
     flight.run_for(2);
     if (flight.status().now != phase::paused)

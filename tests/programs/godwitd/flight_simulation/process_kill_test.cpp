@@ -1,4 +1,4 @@
-// The process is killed before and behind commits of its journal, one flight for each place: the next process goes on,
+// The process is killed before and after commits of its journal, one flight for each place: the next process goes on,
 // and the service gets each report once.
 //
 // The places are enumerated and not drawn: every n-th commit of a flight without a kill, and with TEST_FULL=1 every

@@ -161,7 +161,7 @@ TEST_F(supervised, without_a_failsafe_a_pilot_keeps_the_vehicle) {
   ASSERT_NO_FATAL_FAILURE(give_up_twice("failsafe"));
   flight.run_for(5);
   EXPECT_EQ(moves_since(flight, since_ns), 0) << flight.story();
-  EXPECT_TRUE(flight.was_told("the vehicle is not told to return")) << flight.story();
+  EXPECT_TRUE(flight.was_told("the vehicle is not commanded to return")) << flight.story();
 }
 
 class supervised_to_go_on : public supervised {

@@ -78,7 +78,7 @@ TEST_P(upload_crash, at_any_step_of_an_assignments_upload_rejects_nothing_and_an
   EXPECT_GE(steps, 3);
 }
 
-// The process, before and behind each commit from the assignment to its answer.
+// The process, before and after each commit from the assignment to its answer.
 TEST_P(upload_crash, a_kill_at_any_commit_of_an_assignment_in_flight_answers_once) {
   constexpr std::uint64_t most_commits = 60;
   int kills = 0;

@@ -188,7 +188,7 @@ TEST(rover_left_armed, by_a_start_that_was_cut_off_is_prepared_again_whenever_go
   }
 }
 
-// PX4 says of any landing that its plan is complete. At home, and behind a hand-back, it may be so.
+// PX4 says of any landing that its plan is complete. At home, and after a hand-back, it may be so.
 TEST(landed_at_home_by_a_pilot, a_mission_is_complete_or_flown_on_and_never_both) {
   for (int tenths = 0; tenths <= 15; ++tenths) {
     flight_simulation flight({.who = sim::personality::px4});

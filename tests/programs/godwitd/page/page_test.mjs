@@ -77,7 +77,7 @@ test("what the checks have found is shown", async () => {
 test("what the vehicle says is in the log, and stays text", async () => {
   await world.vehicle_does(`say ${markup}`);
   await page.click("#tab-log");
-  await shows("#tab-body", `the vehicle says: ${markup}`);
+  await shows("#tab-body", `the vehicle reports: ${markup}`);
   assert.equal(await page.locator("#tab-body img").count(), 0);
   await page.click("#tab-plan");
 });

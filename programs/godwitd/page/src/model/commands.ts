@@ -16,12 +16,12 @@ export interface command_row {
 export const command_rows: readonly command_row[] = [
   { name: "start", label: "Start", key: "s", moves: true, is_stop: false, hint: "fly the plan that is ready" },
   { name: "pause", label: "Pause", key: "p", moves: false, is_stop: true, hint: "hold where it is" },
-  { name: "resume", label: "Resume", key: "r", moves: true, is_stop: false, hint: "go on with the mission" },
+  { name: "resume", label: "Resume", key: "r", moves: true, is_stop: false, hint: "continue the mission" },
   { name: "come_home", label: "Come home", key: "h", moves: true, is_stop: true, hint: "return, and end the mission" },
   { name: "hand_back", label: "Hand back", key: "b", moves: true, is_stop: false,
-    hint: "after a takeover or a failsafe: the mission has the vehicle again" },
+    hint: "after a takeover or a failsafe: release the vehicle to the mission" },
   { name: "cancel", label: "Cancel go-to", key: "x", moves: true, is_stop: false,
-    hint: "the mission goes on with its first item that is not done" },
+    hint: "the mission continues with its first item that is not done" },
 ];
 
 export function command_row_of(name: command_name): command_row | undefined {
@@ -69,7 +69,7 @@ export interface pointed_row {
 
 export const pointed_rows: readonly pointed_row[] = [
   { name: "go_to", label: "Go to…", key: "g", confirm: "Fly there", hint: "fly to a place on the map, and stay there" },
-  { name: "insert", label: "Insert…", key: "i", confirm: "Insert", hint: "a waypoint more in the mission, which goes on behind it" },
+  { name: "insert", label: "Insert…", key: "i", confirm: "Insert", hint: "one more waypoint in the mission, which continues after it" },
 ];
 
 export function pointed_row_of(name: pointed_command): pointed_row {
@@ -80,8 +80,8 @@ const beginnings: Record<string, string> = {
   stale: "The flight stands otherwise by now: look again. ",
   late: "It came too late, and nothing was done. ",
   no_control: "You do not have control. ",
-  wrong_role: "Your role may not say this. ",
-  unknown: "What became of it is not known: look at the flight before you say it again. ",
+  wrong_role: "Your role may not do this. ",
+  unknown: "What became of it is not known: look at the flight before you send it again. ",
 };
 
 // What is said beside the button.

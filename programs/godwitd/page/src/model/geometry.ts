@@ -93,18 +93,18 @@ export function way_of(view: plan_view): place[] {
   return view.mission === null ? [] : items_of(view.mission).map((each) => each.at);
 }
 
-// The item that comes behind the one with the id AFTER; empty: behind the DONE first ones. None: there is no further one.
-export function item_behind(mission: mission_document, after: string, done: number): { index: number; id: string } | undefined {
+// The item that comes after the one with the id AFTER; empty: after the DONE first ones. None: there is no further one.
+export function item_after(mission: mission_document, after: string, done: number): { index: number; id: string } | undefined {
   const index = after === "" ? done : mission.items.findIndex((each) => each.id === after) + 1;
   const item = after !== "" && index === 0 ? undefined : mission.items[index];
   return item === undefined ? undefined : { index, id: item.id };
 }
 
-// The way of a waypoint at TARGET that is inserted behind AFTER: from there, or from the vehicle, and on with the mission.
+// The way of a waypoint at TARGET that is inserted after AFTER: from there, or from the vehicle, and on with the mission.
 export function way_of_insert(mission: mission_document | null, after: string, done: number, vehicle: place | undefined, target: place): place[] {
   const items = mission === null ? [] : items_of(mission);
   const from = after === "" ? vehicle : (items.find((each) => each.id === after)?.at ?? vehicle);
-  const next = mission === null ? undefined : item_behind(mission, after, done);
+  const next = mission === null ? undefined : item_after(mission, after, done);
   const to = next === undefined ? undefined : items.find((each) => each.index >= next.index)?.at;
   return [from, target, to].filter(is_place);
 }

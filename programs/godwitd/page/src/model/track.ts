@@ -1,6 +1,6 @@
 // The way that the vehicle came, thinned as it grows: a point is kept where the way bends, and all of it within a bound.
 //
-//   position ──add──> [kept, kept, ..., kept] + [open: what was heard behind the last kept one]
+//   position ──add──> [kept, kept, ..., kept] + [open: what was heard after the last kept one]
 //
 // Two hours at ten positions a second are 72,000; a straight line of any length is two. Pure.
 import { deviation_m, distance_m } from "./geometry.ts";
@@ -19,7 +19,7 @@ export class track {
     this.width_m = width_m;
   }
 
-  // The newest place, behind all that was kept.
+  // The newest place, after all that was kept.
   get last(): place | undefined {
     return this.open.at(-1) ?? this.kept.at(-1);
   }

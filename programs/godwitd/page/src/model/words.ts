@@ -13,7 +13,7 @@ const authorities: Record<string, said> = {
   godwit: { words: "godwit", tone: "good" },
   person: { words: "a person", tone: "warn" },
   failsafe: { words: "godwit's failsafe", tone: "bad" },
-  autopilot_end: { words: "the autopilot, behind its plan", tone: "warn" },
+  autopilot_end: { words: "the autopilot, after its plan", tone: "warn" },
   autopilot_failsafe: { words: "the autopilot's failsafe", tone: "bad" },
   unclear: { words: "not known", tone: "bad" },
   nobody: { words: "nobody: no flight", tone: "none" },

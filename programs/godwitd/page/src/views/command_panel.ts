@@ -3,7 +3,7 @@ import { html, nothing } from "lit";
 import type { TemplateResult } from "lit";
 import { command_rows, pointed_row_of, pointed_rows } from "../model/commands.ts";
 import type { command_row, pointed_row } from "../model/commands.ts";
-import { distance_m, item_behind } from "../model/geometry.ts";
+import { distance_m, item_after } from "../model/geometry.ts";
 import { distance_words } from "../model/words.ts";
 import type { page } from "../page.ts";
 import { hold_button } from "./hold_button.ts";
@@ -16,7 +16,7 @@ export function refusal(all: page, what: string): TemplateResult | typeof nothin
 // Why it can not be said; empty: it can.
 export function why_not(all: page, is_stop: boolean): string {
   if (all.me === undefined) return "log in first";
-  if (all.me.role === "viewer") return "a viewer looks and says nothing";
+  if (all.me.role === "viewer") return "a viewer may look only";
   return is_stop || all.control?.is_yours === true ? "" : "take control first";
 }
 
@@ -37,14 +37,14 @@ function pointed_button(all: page, row: pointed_row): TemplateResult {
     <span>${row.label}</span><kbd aria-hidden="true">${row.key}</kbd></button>${refusal(all, row.name)}</div>`;
 }
 
-// Behind which item, and where the mission goes on then.
-function behind_part(all: page): TemplateResult | typeof nothing {
+// After which item, and where the mission goes on then.
+function after_part(all: page): TemplateResult | typeof nothing {
   const { commander } = all;
   const mission = all.plan?.mission;
   if (commander.pointing !== "insert" || mission === null || mission === undefined) return nothing;
   const done = all.world.get("progress")?.items_done ?? 0;
-  const next = item_behind(mission, commander.after, done);
-  return html`<label>As the next one, or behind <select id="insert-after" @change=${(event: Event) => {
+  const next = item_after(mission, commander.after, done);
+  return html`<label>As the next one, or after <select id="insert-after" @change=${(event: Event) => {
       commander.after = (event.target as HTMLSelectElement).value;
       all.draw();
     }}><option value="" ?selected=${commander.after === ""}>the next one</option>${mission.items.slice(done).map((item) =>
@@ -61,13 +61,13 @@ function pointed_part(all: page, row: pointed_row): TemplateResult {
   return html`<section class="going" aria-label=${row.hint}>
     <p>${target === undefined ? "Click the place on the map." :
       `${target.latitude.toFixed(6)}, ${target.longitude.toFixed(6)}${far}`}</p>
-    ${behind_part(all)}
+    ${after_part(all)}
     <label>Altitude above home <input id="go-to-altitude" type="number" min="1" max="500" step="1" .value=${String(commander.altitude_m)}
       @input=${(event: Event) => { commander.altitude_m = Number((event.target as HTMLInputElement).value); }}> m</label>
     <div class="row">${hold_button({ id: `confirm-${row.name}`, label: row.confirm, hint: reason || "hold to confirm", is_held: true,
         is_disabled: reason !== "" || target === undefined || !(commander.altitude_m > 0), is_busy: commander.under_way.has(row.name),
         act: () => void commander.confirm() })}
-      <button class="act" type="button" @click=${() => commander.end_pointing()}><span>Leave it</span></button></div>
+      <button class="act" type="button" @click=${() => commander.end_pointing()}><span>Cancel</span></button></div>
     ${refusal(all, row.name)}
   </section>`;
 }

@@ -25,7 +25,7 @@ export function preflight_part(all: page): TemplateResult {
   return html`<p class="summary"><b>${plain(view.phase)}</b>${view.reason === "" ? "" : `: ${view.reason}`}
       ${view.acknowledged_by === "" ? "" : `, acknowledged by ${view.acknowledged_by}`}
       ${view.looked_ms === 0 ? "" : `, looked at ${time_words(view.looked_ms)} UTC`}
-      <button class="act small" type="button" ?disabled=${all.me === undefined} @click=${() => void all.commander.say("check")}><span>Look again</span></button></p>
+      <button class="act small" type="button" ?disabled=${all.me === undefined} @click=${() => void all.commander.say("check")}><span>Repeat</span></button></p>
     ${all.commander.refusals.has("check") ? html`<p class="refusal">${all.commander.refusals.get("check")}</p>` : nothing}
     ${view.report === 0 ? nothing : acknowledge_part(all, view.report)}
     <table class="rows"><caption class="hidden">What the checks have found</caption><tbody>${findings.map((each) => html`<tr>

@@ -30,10 +30,10 @@ export function upload_part(all: page): TemplateResult {
     ${losses_part(all)}
     ${uploader.refusal === "" ? nothing : html`<p class="refusal lines" role="alert" id="refusal-mission">${uploader.refusal}</p>`}
     ${uploader.name === "" ? nothing : html`<div class="row">
-      ${hold_button({ id: "hand-over-mission", label: "Take this mission", hint: may ? "it is checked, and starts when somebody says so" : "take control first",
+      ${hold_button({ id: "hand-over-mission", label: "Take this mission", hint: may ? "it is checked, and starts on command" : "take control first",
         is_held: true, is_disabled: !may || mission === undefined, is_busy: uploader.is_busy, act: () => void uploader.hand_over() })}
       <label><input type="checkbox" .checked=${uploader.is_partial}
         @change=${(event: Event) => void uploader.set_partial((event.target as HTMLInputElement).checked)}> without what can not be carried over</label>
-      <button class="act" type="button" @click=${() => uploader.leave()}><span>Leave it</span></button></div>`}
+      <button class="act" type="button" @click=${() => uploader.leave()}><span>Cancel</span></button></div>`}
   </div>`;
 }

@@ -23,7 +23,7 @@ test("a command has an id that fits, a deadline by godwit's clock, and the state
 
 test("a refusal says what it means to who has pressed the button", () => {
   assert.equal(refusal_words({ status: 423, verdict: "no_control", detail: "bob has control" }), "You do not have control. Bob has control.");
-  assert.match(refusal_words({ status: 504, verdict: "unknown", detail: "" }), /look at the flight before you say it again/);
+  assert.match(refusal_words({ status: 504, verdict: "unknown", detail: "" }), /look at the flight before you send it again/);
   assert.equal(refusal_words({ status: 409, verdict: "refused", detail: "No flight is under way." }), "No flight is under way.");
 });
 

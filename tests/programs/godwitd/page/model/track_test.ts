@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { deviation_m, moved, offset_of, bearing_deg, distance_m, item_behind, round_step_m, way_of, way_of_insert } from "../../../../../programs/godwitd/page/src/model/geometry.ts";
+import { deviation_m, moved, offset_of, bearing_deg, distance_m, item_after, round_step_m, way_of, way_of_insert } from "../../../../../programs/godwitd/page/src/model/geometry.ts";
 import { flight_history, max_samples } from "../../../../../programs/godwitd/page/src/model/history.ts";
 import type { place, plan_view } from "../../../../../programs/godwitd/page/src/model/messages.ts";
 import { max_points, track } from "../../../../../programs/godwitd/page/src/model/track.ts";
@@ -83,10 +83,10 @@ test("a waypoint that is inserted leads on to the item behind it that has a plac
   const mission = { mission_id: "m", revision: 1, geofences: [], return_point: { ...zero, altitude_m: 0 }, items: [
     { id: "a", kind: "waypoint", at: { ...at(10, 0), altitude_m: 10 } }, { id: "speed", kind: "change_speed" },
     { id: "b", kind: "waypoint", at: { ...at(20, 0), altitude_m: 10 } }] };
-  assert.deepEqual(item_behind(mission, "", 1), { index: 1, id: "speed" });
-  assert.deepEqual(item_behind(mission, "speed", 1), { index: 2, id: "b" });
-  assert.equal(item_behind(mission, "b", 1), undefined);
-  assert.equal(item_behind(mission, "none", 1), undefined);
+  assert.deepEqual(item_after(mission, "", 1), { index: 1, id: "speed" });
+  assert.deepEqual(item_after(mission, "speed", 1), { index: 2, id: "b" });
+  assert.equal(item_after(mission, "b", 1), undefined);
+  assert.equal(item_after(mission, "none", 1), undefined);
   const east_m = (after: string) => way_of_insert(mission, after, 1, at(5, 5), at(0, 9)).map((each) => Math.round(offset_of(zero, each).east_m));
   assert.deepEqual(east_m(""), [5, 0, 20]); // from the vehicle
   assert.deepEqual(east_m("a"), [10, 0, 20]);

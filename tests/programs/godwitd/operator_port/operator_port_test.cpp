@@ -2,9 +2,12 @@
 #include "programs/godwitd/operator_port/operator_port.hpp"
 
 #include <atomic>
+#include <condition_variable>
+#include <deque>
 #include <filesystem>
 #include <fstream>
 #include <future>
+#include <mutex>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -142,8 +145,8 @@ TEST_F(open_port, an_address_has_so_many_clients_and_a_place_is_free_when_one_ha
 // With TLS and a certificate of its own, and a client that knows it.
 struct secure_port {
   explicit secure_port(const settings& wanted)
-      : opened(port.open(wanted, {{"GET", "/", 0, say_it}},
-                         {.on_certificate = [this](const auto& now) { news.set_value(now); }})) {
+      : opened(
+            port.open(wanted, {{"GET", "/", 0, say_it}}, {.on_certificate = [this](const auto& now) { hear(now); }})) {
     const auto place = port.place();
     if (opened)
       url = "https://localhost" + place.substr(place.find(':'));
@@ -156,13 +159,30 @@ struct secure_port {
     result.identity_file = identity_file;
     return result;
   }
-  // What is said of the certificate next.
-  tl::expected<std::string, std::string> next_news() {
-    auto result = news.get_future().get();
-    news = {};
+  void hear(const tl::expected<std::string, std::string>& now) {
+    const std::scoped_lock lock(reports_mutex);
+    reports.push_back(now);
+    reported.notify_one();
+  }
+  // What is reported of the certificate next; an error after 20 s without a report.
+  tl::expected<std::string, std::string> next_report() {
+    std::unique_lock lock(reports_mutex);
+    if (!reported.wait_for(lock, 20s, [this] { return !reports.empty(); }))
+      return tl::make_unexpected(std::string("nothing was reported"));
+    auto result = std::move(reports.front());
+    reports.pop_front();
     return result;
   }
-  std::promise<tl::expected<std::string, std::string>> news;
+  // The next report of a certificate; those of files that do not belong together yet come before it.
+  tl::expected<std::string, std::string> next_certificate() {
+    auto result = next_report();
+    while (!result && result.error().find("stays as it was") != std::string::npos)
+      result = next_report();
+    return result;
+  }
+  std::mutex reports_mutex;
+  std::condition_variable reported;
+  std::deque<tl::expected<std::string, std::string>> reports;
   class port port;
   tl::expected<void, std::string> opened;
   std::string url;
@@ -208,6 +228,56 @@ TEST(operator_port_tls, a_certificate_or_key_that_can_not_be_used_is_named_and_t
   const secure_port not_matching(wanted);
   ASSERT_FALSE(not_matching.opened);
   EXPECT_NE(not_matching.opened.error().find("none.key"), std::string::npos) << not_matching.opened.error();
+}
+
+void replace_file(const std::string& file, std::string_view content) {
+  const auto next = file + ".next";
+  std::ofstream(next) << content;
+  std::filesystem::permissions(next, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+  std::filesystem::rename(next, file);
+}
+
+// Whether a client that believes CERTIFICATE alone is answered at URL.
+bool is_answered(const std::string& url, const std::string& certificate) {
+  const test::scratch folder;
+  replace_file(folder.file("ca.pem"), certificate);
+  io::http::settings as_client;
+  as_client.base_url = url;
+  as_client.ca_file = folder.file("ca.pem");
+  std::promise<bool> heard;
+  auto client = io::http::client::open(as_client).value();
+  (void)client->send({}, [&](const io::http::result<io::http::response>& end) { heard.set_value(end.has_value()); });
+  return heard.get_future().get();
+}
+
+TEST(operator_port_tls, reads_a_certificate_anew_when_its_files_change_or_on_request_and_keeps_it_when_it_can_not) {
+  const test::scratch folder;
+  auto wanted = secure_port::wanted({});
+  wanted.certificate_file = folder.file("port.pem");
+  wanted.key_file = folder.file("port.key");
+  const auto put = [&](const io::http::server_identity& who) {
+    replace_file(wanted.key_file, who.key.revealed());
+    replace_file(wanted.certificate_file, who.certificate);
+  };
+  const auto first = io::http::make_identity({"localhost"}).value();
+  const auto second = io::http::make_identity({"localhost"}).value();
+  put(first);
+  secure_port served(wanted);
+  ASSERT_TRUE(served.opened) << served.opened.error();
+  EXPECT_TRUE(is_answered(served.url, first.certificate));
+  put(second);
+  EXPECT_EQ(served.next_certificate(), io::http::fingerprint_of(second.certificate));
+  EXPECT_TRUE(is_answered(served.url, second.certificate));
+  EXPECT_FALSE(is_answered(served.url, first.certificate));
+  replace_file(wanted.certificate_file, "no PEM");
+  const auto broken = served.next_report();
+  ASSERT_FALSE(broken);
+  EXPECT_NE(broken.error().find("stays as it was"), std::string::npos) << broken.error();
+  EXPECT_TRUE(is_answered(served.url, second.certificate));
+  put(first);
+  EXPECT_EQ(served.next_certificate(), io::http::fingerprint_of(first.certificate));
+  served.port.read_certificate_anew();
+  EXPECT_EQ(served.next_certificate(), io::http::fingerprint_of(first.certificate)) << "a request is always answered";
 }
 
 TEST_F(open_port, a_port_that_is_taken_is_named_with_the_remedy) {

@@ -24,11 +24,16 @@ int heartbeats_to_begin(const io::link::uri& line, bool is_signed) {
 
 bool stays_in_vehicle(const io::link::uri& line) { return line.which == kind::serial || is_loopback(line.host); }
 
+std::string open_line(const io::link::uri& line, bool is_signed) {
+  return is_signed || stays_in_vehicle(line) ? std::string() : line.text();
+}
+
 std::string open_line_warning(const io::link::uri& line, bool is_signed, std::string_view option) {
-  if (is_signed || stays_in_vehicle(line))
+  const auto open = open_line(line, is_signed);
+  if (open.empty())
     return {};
-  return line.text() + " has no key: whoever is in this network can speak on it; give it one with " +
-         std::string(option) + ", or bind it to 127.0.0.1";
+  return open + " has no key: whoever is in this network can speak on it; give it one with " + std::string(option) +
+         ", or bind it to 127.0.0.1";
 }
 
 } // namespace godwit::daemon

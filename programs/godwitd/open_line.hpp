@@ -15,6 +15,9 @@ namespace godwit::daemon {
 // A serial line, or one that does not leave this computer.
 [[nodiscard]] bool stays_in_vehicle(const io::link::uri& line);
 
+// The text of a line that is reached from outside of this computer and has no key. Empty: it is none.
+[[nodiscard]] std::string open_line(const io::link::uri& line, bool is_signed);
+
 // What people are told of a line that is reached from outside of this computer and has no key. Empty: nothing.
 // OPTION gives it one, as "--signing-key".
 [[nodiscard]] std::string open_line_warning(const io::link::uri& line, bool is_signed, std::string_view option);

@@ -139,6 +139,7 @@ checked read_vehicle(const json& vehicle, daemon_settings& to) {
   to.vehicle_system = vehicle.at("system").get<std::uint8_t>();
   to.signing_key_file = text(vehicle, "key_file");
   to.vehicle_line_is_secure = vehicle.at("secure").get<bool>();
+  to.flight.checks.open_line = open_line(to.vehicle, !to.signing_key_file.empty());
   if (to.vehicle_line_is_secure && !stays_in_vehicle(to.vehicle))
     return tl::make_unexpected("vehicle.secure: " + to.vehicle.text() +
                                " goes over a network, where others can listen; only a serial line, or an address of "

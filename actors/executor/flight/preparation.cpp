@@ -8,7 +8,7 @@
 #include "actors/executor/flight/mission_list.hpp"
 #include "actors/executor/plan/fence_check.hpp"
 #include "actors/executor/plan/places.hpp"
-#include "actors/executor/preflight/checks/straight_return.hpp"
+#include "actors/executor/preflight/checks.hpp"
 #include "io/mavlink/enums.hpp"
 
 namespace godwit::executor {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "actors/executor/preflight/checks.hpp"
 #include "actors/executor/progress/patience.hpp"
 #include "runtime/assert.hpp"
 
@@ -26,11 +27,12 @@ bool is_overdue(const open_report& report, std::int64_t now_ns) {
   return report.acknowledged_by.empty() && progress::is_over(report.opened_ns, now_ns, acknowledge_within_ns);
 }
 
-// The numbers of reports go on.
+// The numbers of reports go on, and what was acknowledged once for a vehicle.
 void become_idle(state& s, std::string reason) {
   state fresh;
   fresh.last_report_id = s.last_report_id;
   fresh.reason = std::move(reason);
+  fresh.known_open_lines = std::move(s.known_open_lines);
   s = std::move(fresh);
 }
 
@@ -56,11 +58,11 @@ void end_overdue(state& s, std::int64_t now_ns) {
 
 // -- a look ---------------------------------------------------------------------------------------
 
+bool is_in(const sentences& all, const std::string& one) { return std::ranges::find(all, one) != all.end(); }
+
 // Nothing in ALL is new to the report.
 bool covers(const open_report& report, const sentences& all) {
-  return std::ranges::all_of(all, [&](const std::string& each) {
-    return std::ranges::find(report.sentences, each) != report.sentences.end();
-  });
+  return std::ranges::all_of(all, [&](const std::string& each) { return is_in(report.sentences, each); });
 }
 
 void open_new_report(turn& t, const report& seen, sentences degraded) {
@@ -75,6 +77,9 @@ void open_new_report(turn& t, const report& seen, sentences degraded) {
 void judge_degraded(turn& t, const report& seen) {
   auto& s = t.s;
   auto degraded = sentences_of(seen, verdict::degraded);
+  std::erase_if(degraded, [&](const std::string& each) { return is_in(s.known_open_lines, each); });
+  if (degraded.empty())
+    return become(s, phase::pass);
   const bool is_known = s.report && covers(*s.report, degraded);
   if (is_known && !s.report->acknowledged_by.empty())
     return become(s, phase::pass);
@@ -140,12 +145,23 @@ std::string why_not_taken(const state& s, const acknowledged& by, std::int64_t n
   return s.now == phase::failed || is_overdue(*s.report, now_ns) ? overdue_sentence(*s.report) : std::string();
 }
 
+void remember_open_lines(state& s) {
+  auto& known = s.known_open_lines;
+  for (const auto& each : s.report->sentences)
+    if (is_about_open_line(each) && !is_in(known, each))
+      known.push_back(each);
+  if (known.size() > max_known_open_lines)
+    known.erase(known.begin(), known.end() - max_known_open_lines);
+}
+
 void take(turn& t, const acknowledged& by) {
   auto& s = t.s;
   auto reason = why_not_taken(s, by, t.now_ns);
   const bool is_taken = reason.empty();
   if (is_taken && s.report->acknowledged_by.empty())
     s.report->acknowledged_by = cut_text(by.by, max_operator_name);
+  if (is_taken)
+    remember_open_lines(s);
   if (is_taken && s.now == phase::awaiting_ack)
     become(s, phase::pass);
   t.out.emplace_back(acknowledgement_answered{by.report_id, is_taken, std::move(reason)});

@@ -40,7 +40,8 @@ struct open_report {
                 io::field("acknowledged_by", &open_report::acknowledged_by));
 };
 
-inline constexpr std::size_t max_operator_name = 64; // bytes; the rest is cut off
+inline constexpr std::size_t max_known_open_lines = 8; // the oldest is forgotten, and asked about again
+inline constexpr std::size_t max_operator_name = 64;   // bytes; the rest is cut off
 
 struct state {
   phase now = phase::idle;
@@ -50,13 +51,15 @@ struct state {
   std::uint32_t last_report_id = 0;  // of any flight: a late acknowledgement never meets another report
   std::optional<open_report> report; // when failed: it was not acknowledged in time
   std::string reason;                // why failed, or idle again
+  // Sentences about lines without a key that somebody has acknowledged, of any flight; the newest last.
+  std::vector<std::string> known_open_lines = {};
 
   static constexpr int version = 1;
   static constexpr auto fields =
       io::table("executor.preflight_state", io::field("now", &state::now), io::field("mission_id", &state::mission_id),
                 io::field("revision", &state::revision), io::field("is_flying", &state::is_flying),
                 io::field("last_report_id", &state::last_report_id), io::field("report", &state::report),
-                io::field("reason", &state::reason));
+                io::field("reason", &state::reason), io::field("known_open_lines", &state::known_open_lines));
 };
 
 } // namespace godwit::executor::preflight

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "io/fields/field_table.hpp"
 
@@ -18,20 +19,21 @@ struct settings {
   std::int64_t journal_low_free_mib = 512;      // a full trace (256 MiB), and as much again for everything else
   std::int64_t earliest_date_s = 1'735'689'600; // 2025-01-01, UTC: a clock before it was never set
   bool is_operator_session_required = false;
+  std::string open_line = {};            // to the vehicle, over a network and without a key; empty: it is not
   bool asks_for_straight_return = false; // through an exclusion fence: else it is said, and flown all the same
 
-  static constexpr auto fields =
-      io::table("executor.preflight_settings", io::field("battery_return_percent", &settings::battery_return_percent),
-                io::field("battery_critical_percent", &settings::battery_critical_percent),
-                io::field("starts_by_itself", &settings::starts_by_itself),
-                io::field("battery_margin_percent", &settings::battery_margin_percent),
-                io::field("min_satellites", &settings::min_satellites),
-                io::field("position_stale_ms", &settings::position_stale_ms),
-                io::field("journal_min_free_mib", &settings::journal_min_free_mib),
-                io::field("journal_low_free_mib", &settings::journal_low_free_mib),
-                io::field("earliest_date_s", &settings::earliest_date_s),
-                io::field("is_operator_session_required", &settings::is_operator_session_required),
-                io::field("asks_for_straight_return", &settings::asks_for_straight_return));
+  static constexpr auto fields = io::table(
+      "executor.preflight_settings", io::field("battery_return_percent", &settings::battery_return_percent),
+      io::field("battery_critical_percent", &settings::battery_critical_percent),
+      io::field("starts_by_itself", &settings::starts_by_itself), io::field("open_line", &settings::open_line),
+      io::field("battery_margin_percent", &settings::battery_margin_percent),
+      io::field("min_satellites", &settings::min_satellites),
+      io::field("position_stale_ms", &settings::position_stale_ms),
+      io::field("journal_min_free_mib", &settings::journal_min_free_mib),
+      io::field("journal_low_free_mib", &settings::journal_low_free_mib),
+      io::field("earliest_date_s", &settings::earliest_date_s),
+      io::field("is_operator_session_required", &settings::is_operator_session_required),
+      io::field("asks_for_straight_return", &settings::asks_for_straight_return));
   friend bool operator==(const settings&, const settings&) = default;
 };
 

@@ -34,6 +34,31 @@ TEST(bit, the_acknowledgement_that_names_the_report_makes_it_a_pass) {
   EXPECT_TRUE(has(sentence_of(flight.s), "Ada has acknowledged report 1"));
 }
 
+TEST(bit, a_line_without_a_key_is_acknowledged_once_for_its_vehicle_and_anew_for_another) {
+  const texts open{"The line to vehicle 7, udpin://0.0.0.0:14550, has no key."};
+  const texts of_another{"The line to vehicle 8, udpin://0.0.0.0:14550, has no key."};
+  preparation flight;
+  flight.looks(open);
+  EXPECT_FALSE(flight.is_passed());
+  EXPECT_TRUE(flight.acknowledges(1).is_taken);
+  flight.happens(flight_ended{});
+  flight.happens(checks_wanted{delivery, 1});
+  flight.happens(looked{found(open, {}, delivery)});
+  EXPECT_TRUE(is_passed(flight.s, delivery, 1)) << "the next flight of it";
+  flight.happens(looked{found({open[0], camera[0]}, {}, delivery)});
+  EXPECT_EQ(flight.s.now, phase::awaiting_ack);
+  EXPECT_EQ(flight.s.report->sentences, camera) << "of what is new alone";
+  flight.happens(looked{found(of_another, {}, delivery)});
+  EXPECT_EQ(flight.s.now, phase::awaiting_ack);
+  EXPECT_EQ(flight.s.report->sentences, of_another);
+  for (std::size_t i = 0; i < 3 * max_known_open_lines; ++i) {
+    const texts many{"The line to vehicle " + std::to_string(100 + i) + " has no key."};
+    flight.happens(looked{found(many, {}, delivery)});
+    EXPECT_TRUE(flight.acknowledges(flight.s.report->id).is_taken);
+  }
+  EXPECT_EQ(flight.s.known_open_lines.size(), max_known_open_lines);
+}
+
 TEST(bit, an_acknowledgement_of_another_report_is_refused_and_says_which_is_the_newest) {
   preparation flight;
   flight.looks(camera);

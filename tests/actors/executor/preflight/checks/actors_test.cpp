@@ -1,4 +1,4 @@
-#include "actors/executor/preflight/checks/actors.hpp"
+#include "actors/executor/preflight/checks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,12 +9,12 @@ namespace actors_test {
 
 using namespace test;
 
-TEST(actors_check, passes_when_all_run) { EXPECT_EQ(look_at_actors(good_facts(), {}).how, verdict::pass); }
+TEST(actors_check, passes_when_all_run) { EXPECT_EQ(check_actors(good_facts(), {}).how, verdict::pass); }
 
 TEST(actors_check, fails_when_one_does_not_run_and_names_it) {
   auto seen = good_facts();
   seen.actors = {{"vehicle_link", true}, {"mission_client", false}, {"failsafe", false}};
-  const auto found = look_at_actors(seen, {});
+  const auto found = check_actors(seen, {});
   EXPECT_EQ(found.how, verdict::fail);
   EXPECT_TRUE(has(found.sentence, ": mission_client, failsafe;")) << found.sentence;
 }
@@ -22,7 +22,7 @@ TEST(actors_check, fails_when_one_does_not_run_and_names_it) {
 TEST(actors_check, fails_when_nothing_is_known_of_them) {
   auto seen = good_facts();
   seen.actors.clear();
-  EXPECT_EQ(look_at_actors(seen, {}).how, verdict::fail);
+  EXPECT_EQ(check_actors(seen, {}).how, verdict::fail);
 }
 
 } // namespace actors_test

@@ -1,4 +1,4 @@
-#include "actors/executor/preflight/checks/autopilot_checks.hpp"
+#include "actors/executor/preflight/checks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ using io::mavlink::mav_autopilot;
 verdict with(own_checks own) {
   auto seen = good_facts();
   seen.vehicle.own = own;
-  return look_at_autopilot_checks(seen, {}).how;
+  return check_autopilot_checks(seen, {}).how;
 }
 
 // SYS_STATUS: present, enabled, health.
@@ -42,7 +42,7 @@ TEST(autopilot_check, names_the_parameter_that_keeps_a_plane_on_the_ground_whose
   seen.mission.plans = &plans;
   const auto sentence = [&](const std::string& words) {
     seen.vehicle.why_not_armed = words;
-    return look_at_autopilot_checks(seen, {}).sentence;
+    return check_autopilot_checks(seen, {}).sentence;
   };
   EXPECT_TRUE(has(sentence("PreArm: DO_LAND_START set and RTL_AUTOLAND disabled"), "Set RTL_AUTOLAND to 3"));
   EXPECT_FALSE(has(sentence({}), "RTL_AUTOLAND")) << "it does not hold that plan yet";
@@ -62,7 +62,7 @@ TEST(autopilot_check, degrades_when_the_autopilot_does_not_say) {
 TEST(autopilot_check, is_skipped_while_the_vehicle_is_not_heard) {
   auto seen = good_facts();
   seen.vehicle.link = vehicle_link::connection_phase::lost;
-  EXPECT_EQ(look_at_autopilot_checks(seen, {}).how, verdict::skipped);
+  EXPECT_EQ(check_autopilot_checks(seen, {}).how, verdict::skipped);
 }
 
 // The numbers are from recordings of ArduPilot's rover 4.7 and PX4 1.17, before and after they were ready.

@@ -1,4 +1,4 @@
-#include "actors/executor/preflight/checks/battery.hpp"
+#include "actors/executor/preflight/checks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ using namespace test;
 result with(std::optional<std::int32_t> percent, const settings& set = {}) {
   auto seen = good_facts();
   seen.vehicle.battery_percent = percent;
-  return look_at_battery(seen, set);
+  return check_battery(seen, set);
 }
 
 TEST(battery_check, passes_above_the_return_level_and_the_margin) {
@@ -40,7 +40,7 @@ TEST(battery_check, fails_before_anything_was_heard_of_it) { EXPECT_EQ(with(std:
 TEST(battery_check, is_skipped_while_the_vehicle_is_not_heard) {
   auto seen = good_facts();
   seen.vehicle.link = vehicle_link::connection_phase::lost;
-  EXPECT_EQ(look_at_battery(seen, {}).how, verdict::skipped);
+  EXPECT_EQ(check_battery(seen, {}).how, verdict::skipped);
 }
 
 } // namespace battery_test

@@ -1,4 +1,4 @@
-#include "actors/executor/preflight/checks/camera.hpp"
+#include "actors/executor/preflight/checks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ using namespace test;
 verdict with(camera_state camera) {
   auto seen = good_facts();
   seen.camera.state = camera;
-  return look_at_camera(seen, {}).how;
+  return check_camera(seen, {}).how;
 }
 
 TEST(camera_check, passes_when_it_is_ready) { EXPECT_EQ(with(camera_state::ready), verdict::pass); }
@@ -24,7 +24,7 @@ TEST(camera_check, degrades_when_it_is_on_and_not_ready) {
 TEST(camera_check, says_why_it_is_not_ready) {
   auto seen = good_facts();
   seen.camera = {camera_state::not_ready, "there is no /dev/video0"};
-  EXPECT_TRUE(has(look_at_camera(seen, {}).sentence, "there is no /dev/video0; "));
+  EXPECT_TRUE(has(check_camera(seen, {}).sentence, "there is no /dev/video0; "));
 }
 
 TEST(camera_check, fails_before_anything_was_heard_of_it) { EXPECT_EQ(with(camera_state::unknown), verdict::fail); }

@@ -1,4 +1,4 @@
-#include "actors/executor/preflight/checks/energy.hpp"
+#include "actors/executor/preflight/checks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ using namespace test;
 result with(std::optional<double> spare_percent) {
   auto seen = good_facts();
   seen.mission.spare_percent = spare_percent;
-  return look_at_energy(seen, {});
+  return check_energy(seen, {});
 }
 
 TEST(energy_check, passes_when_the_battery_lasts_for_the_plan_and_the_way_home) {
@@ -30,7 +30,7 @@ TEST(energy_check, asks_where_flights_begin_by_themselves_only_when_the_battery_
   for (const auto& [spare, how] : {std::pair(5.0, verdict::pass), std::pair(-1.0, verdict::pass),
                                    std::pair(-10.0, verdict::pass), std::pair(-10.1, verdict::degraded)}) {
     seen.mission.spare_percent = spare;
-    EXPECT_EQ(look_at_energy(seen, set).how, how) << spare;
+    EXPECT_EQ(check_energy(seen, set).how, how) << spare;
   }
 }
 
@@ -42,7 +42,7 @@ TEST(energy_check, is_skipped_where_the_drain_is_not_known) { EXPECT_EQ(with({})
 TEST(energy_check, is_skipped_while_the_vehicle_is_not_heard) {
   auto seen = good_facts();
   seen.vehicle.link = vehicle_link::connection_phase::lost;
-  EXPECT_EQ(look_at_energy(seen, {}).how, verdict::skipped);
+  EXPECT_EQ(check_energy(seen, {}).how, verdict::skipped);
 }
 
 } // namespace energy_test

@@ -1,8 +1,8 @@
-#include "actors/executor/preflight/checks/fences.hpp"
+#include "actors/executor/preflight/checks.hpp"
 
 #include <gtest/gtest.h>
 
-#include "actors/executor/preflight/checks/mission.hpp"
+#include "actors/executor/preflight/checks.hpp"
 #include "tests/actors/executor/preflight/good_facts.hpp"
 
 namespace godwit::executor::preflight {
@@ -26,7 +26,7 @@ result with(const mission::document& mission) {
   for (const auto& each : *plans)
     for (auto& found : plan::fence_violations(each, mission, flight::vehicle_class::multirotor))
       seen.mission.way->push_back(std::move(found));
-  return look_at_fences(seen, {});
+  return check_fences(seen, {});
 }
 
 TEST(fences_check, passes_when_the_way_keeps_to_the_fences) { EXPECT_EQ(with(small_mission()).how, verdict::pass); }
@@ -46,7 +46,7 @@ TEST(fences_check, fails_when_a_leg_crosses_an_exclusion_though_its_ends_are_out
 TEST(fences_check, fails_before_the_way_was_looked_at) {
   auto seen = good_facts();
   seen.mission.way.reset();
-  EXPECT_EQ(look_at_fences(seen, {}).how, verdict::fail);
+  EXPECT_EQ(check_fences(seen, {}).how, verdict::fail);
 }
 
 TEST(fences_check, is_skipped_without_fences) {
@@ -64,8 +64,8 @@ TEST(fences_check, is_skipped_when_there_is_no_way_and_the_mission_fails_then) {
   auto impossible = good_facts();
   impossible.mission.plans = &refused;
   for (const auto& each : {unloaded, unplanned, impossible}) {
-    EXPECT_EQ(look_at_fences(each, {}).how, verdict::skipped);
-    EXPECT_EQ(look_at_mission(each, {}).how, verdict::fail);
+    EXPECT_EQ(check_fences(each, {}).how, verdict::skipped);
+    EXPECT_EQ(check_mission(each, {}).how, verdict::fail);
   }
 }
 

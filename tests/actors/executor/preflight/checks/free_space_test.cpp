@@ -1,4 +1,4 @@
-#include "actors/executor/preflight/checks/free_space.hpp"
+#include "actors/executor/preflight/checks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ constexpr std::uint64_t mib = 1024 * 1024;
 result with(std::optional<std::uint64_t> bytes) {
   auto seen = good_facts();
   seen.journal.free_bytes = bytes;
-  return look_at_free_space(seen, {});
+  return check_free_space(seen, {});
 }
 
 TEST(free_space_check, passes_with_enough) { EXPECT_EQ(with(512 * mib).how, verdict::pass); }

@@ -1,4 +1,4 @@
-#include "actors/executor/preflight/checks/journal.hpp"
+#include "actors/executor/preflight/checks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ verdict with(bool is_writable, bool is_sound) {
   auto seen = good_facts();
   seen.journal.is_writable = is_writable;
   seen.journal.is_sound = is_sound;
-  return look_at_journal(seen, {}).how;
+  return check_journal(seen, {}).how;
 }
 
 TEST(journal_check, passes_when_it_is_sound_and_can_be_written) { EXPECT_EQ(with(true, true), verdict::pass); }
@@ -25,7 +25,7 @@ TEST(journal_check, fails_when_it_is_damaged) { EXPECT_EQ(with(true, false), ver
 TEST(journal_check, fails_while_what_waits_to_be_written_is_near_its_bound) {
   auto seen = good_facts();
   seen.journal.is_nearly_full = true;
-  EXPECT_EQ(look_at_journal(seen, {}).how, verdict::fail);
+  EXPECT_EQ(check_journal(seen, {}).how, verdict::fail);
 }
 
 } // namespace journal_test

@@ -1,4 +1,4 @@
-#include "actors/executor/preflight/checks/map_objects.hpp"
+#include "actors/executor/preflight/checks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ result with(pull_state map, std::string problem = {}) {
   auto seen = good_facts();
   seen.mission.map = map;
   seen.mission.map_problem = std::move(problem);
-  return look_at_map_objects(seen, {});
+  return check_map_objects(seen, {});
 }
 
 TEST(map_objects_check, passes_when_they_are_pulled) { EXPECT_EQ(with(pull_state::synced).how, verdict::pass); }
@@ -40,7 +40,7 @@ TEST(map_objects_check, is_skipped_for_a_mission_that_has_no_service) {
   auto seen = good_facts();
   seen.mission.has_service = false;
   seen.mission.map = pull_state::not_started;
-  EXPECT_EQ(look_at_map_objects(seen, {}).how, verdict::skipped);
+  EXPECT_EQ(check_map_objects(seen, {}).how, verdict::skipped);
 }
 
 } // namespace map_objects_test

@@ -1,4 +1,4 @@
-#include "actors/executor/preflight/checks/mission.hpp"
+#include "actors/executor/preflight/checks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,21 +10,21 @@ namespace mission_test {
 using namespace test;
 
 TEST(mission_check, passes_when_it_is_loaded_and_can_be_said_to_the_vehicle) {
-  EXPECT_EQ(look_at_mission(good_facts(), {}), pass("The mission is loaded and can be flown (items: 3, plans: 1)."));
+  EXPECT_EQ(check_mission(good_facts(), {}), pass("The mission is loaded and can be flown (items: 3, plans: 1)."));
 }
 
 TEST(mission_check, fails_without_one_and_says_why) {
   auto seen = good_facts();
   seen.mission.document = nullptr;
-  EXPECT_EQ(look_at_mission(seen, {}).how, verdict::fail);
+  EXPECT_EQ(check_mission(seen, {}).how, verdict::fail);
   seen.mission.refusal = "the service does not know it";
-  EXPECT_EQ(look_at_mission(seen, {}), fail("No mission is loaded: the service does not know it"));
+  EXPECT_EQ(check_mission(seen, {}), fail("No mission is loaded: the service does not know it"));
 }
 
 TEST(mission_check, fails_before_it_is_planned) {
   auto seen = good_facts();
   seen.mission.plans = nullptr;
-  EXPECT_EQ(look_at_mission(seen, {}).how, verdict::fail);
+  EXPECT_EQ(check_mission(seen, {}).how, verdict::fail);
 }
 
 TEST(mission_check, fails_when_the_vehicle_can_not_fly_it_and_names_the_item) {
@@ -34,7 +34,7 @@ TEST(mission_check, fails_when_the_vehicle_can_not_fly_it_and_names_the_item) {
   auto seen = good_facts();
   seen.mission.document = &grounded;
   seen.mission.plans = &plans;
-  const auto found = look_at_mission(seen, {});
+  const auto found = check_mission(seen, {});
   EXPECT_EQ(found.how, verdict::fail);
   EXPECT_TRUE(has(found.sentence, plans.error().message())) << found.sentence;
 }
@@ -43,7 +43,7 @@ TEST(mission_check, fails_when_there_is_nothing_to_fly) {
   const plan_result none = std::vector<plan::flight_plan>{};
   auto seen = good_facts();
   seen.mission.plans = &none;
-  EXPECT_EQ(look_at_mission(seen, {}).how, verdict::fail);
+  EXPECT_EQ(check_mission(seen, {}).how, verdict::fail);
 }
 
 } // namespace mission_test

@@ -1,4 +1,4 @@
-#include "actors/executor/preflight/checks/on_ground.hpp"
+#include "actors/executor/preflight/checks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,20 +10,20 @@ namespace on_ground_test {
 using namespace test;
 
 TEST(on_ground_check, passes_while_the_vehicle_stands) {
-  EXPECT_EQ(look_at_on_ground(good_facts(), {}).how, verdict::pass);
+  EXPECT_EQ(check_on_ground(good_facts(), {}).how, verdict::pass);
 }
 
 TEST(on_ground_check, fails_while_somebody_else_flies_it) {
   auto seen = good_facts();
   seen.vehicle.is_moving = true;
-  EXPECT_EQ(look_at_on_ground(seen, {}).how, verdict::fail);
+  EXPECT_EQ(check_on_ground(seen, {}).how, verdict::fail);
 }
 
 TEST(on_ground_check, says_what_to_do_about_a_vehicle_that_stands_armed_in_its_mission_mode) {
   auto seen = good_facts();
   seen.vehicle.is_moving = true;
   seen.vehicle.stands_ready_to_move = true;
-  const auto found = look_at_on_ground(seen, {});
+  const auto found = check_on_ground(seen, {});
   EXPECT_EQ(found.how, verdict::fail);
   EXPECT_NE(found.sentence.find("disarm it"), std::string::npos) << found.sentence;
 }
@@ -31,7 +31,7 @@ TEST(on_ground_check, says_what_to_do_about_a_vehicle_that_stands_armed_in_its_m
 TEST(on_ground_check, is_skipped_while_the_vehicle_is_not_heard) {
   auto seen = good_facts();
   seen.vehicle.link = vehicle_link::connection_phase::lost;
-  EXPECT_EQ(look_at_on_ground(seen, {}).how, verdict::skipped);
+  EXPECT_EQ(check_on_ground(seen, {}).how, verdict::skipped);
 }
 
 } // namespace on_ground_test

@@ -1,4 +1,4 @@
-#include "actors/executor/preflight/checks/operator_session.hpp"
+#include "actors/executor/preflight/checks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ using namespace test;
 verdict with(bool is_required, bool is_alive) {
   auto seen = good_facts();
   seen.is_operator_session_alive = is_alive;
-  return look_at_operator_session(seen, {.is_operator_session_required = is_required}).how;
+  return check_operator_session(seen, {.is_operator_session_required = is_required}).how;
 }
 
 TEST(operator_session_check, passes_when_one_is_required_and_alive) { EXPECT_EQ(with(true, true), verdict::pass); }

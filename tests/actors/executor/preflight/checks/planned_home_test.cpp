@@ -1,4 +1,4 @@
-#include "actors/executor/preflight/checks/planned_home.hpp"
+#include "actors/executor/preflight/checks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ using namespace test;
 result look(double away_m) {
   auto seen = good_facts();
   seen.mission.planned_home = planned_home_fact{away_m, 45};
-  return look_at_planned_home(seen, {});
+  return check_planned_home(seen, {});
 }
 
 TEST(planned_home_check, from_100_m_on_somebody_has_to_acknowledge_it) {
@@ -30,7 +30,7 @@ TEST(planned_home_check, names_the_distance_and_that_nobody_flies_there) {
 TEST(planned_home_check, fails_before_it_was_looked_at) {
   auto seen = good_facts();
   seen.mission.planned_home.reset();
-  EXPECT_EQ(look_at_planned_home(seen, {}).how, verdict::fail);
+  EXPECT_EQ(check_planned_home(seen, {}).how, verdict::fail);
 }
 
 TEST(planned_home_check, is_skipped_without_one) {
@@ -38,9 +38,9 @@ TEST(planned_home_check, is_skipped_without_one) {
   auto mission = small_mission();
   mission.planned_home.reset();
   seen.mission.document = &mission;
-  EXPECT_EQ(look_at_planned_home(seen, {}).how, verdict::skipped);
+  EXPECT_EQ(check_planned_home(seen, {}).how, verdict::skipped);
   seen.mission.document = nullptr;
-  EXPECT_EQ(look_at_planned_home(seen, {}).how, verdict::skipped);
+  EXPECT_EQ(check_planned_home(seen, {}).how, verdict::skipped);
 }
 
 } // namespace planned_home_test

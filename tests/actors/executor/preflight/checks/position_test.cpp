@@ -1,4 +1,4 @@
-#include "actors/executor/preflight/checks/position.hpp"
+#include "actors/executor/preflight/checks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ using io::mavlink::gps_fix_type;
 result with(gps_fix_type fix) {
   auto seen = good_facts();
   seen.vehicle.fix = fix;
-  return look_at_position(seen, {});
+  return check_position(seen, {});
 }
 
 TEST(position_check, passes_with_each_fix_in_three_dimensions) {
@@ -26,19 +26,19 @@ TEST(position_check, passes_with_each_fix_in_three_dimensions) {
 TEST(position_check, passes_when_the_receiver_does_not_count_satellites) {
   auto seen = good_facts();
   seen.vehicle.satellites.reset();
-  EXPECT_EQ(look_at_position(seen, {}).how, verdict::pass);
+  EXPECT_EQ(check_position(seen, {}).how, verdict::pass);
 }
 
 TEST(position_check, degrades_with_few_satellites_and_says_the_same_however_few) {
   auto seen = good_facts();
   seen.vehicle.satellites = 6;
-  EXPECT_EQ(look_at_position(seen, {}).how, verdict::pass);
+  EXPECT_EQ(check_position(seen, {}).how, verdict::pass);
   seen.vehicle.satellites = 5;
-  const auto found = look_at_position(seen, {});
+  const auto found = check_position(seen, {});
   EXPECT_EQ(found.how, verdict::degraded);
   EXPECT_TRUE(has(found.sentence, "Fewer than 6")) << found.sentence;
   seen.vehicle.satellites = 4;
-  EXPECT_EQ(look_at_position(seen, {}), found);
+  EXPECT_EQ(check_position(seen, {}), found);
 }
 
 TEST(position_check, fails_without_a_fix_in_three_dimensions) {
@@ -50,17 +50,17 @@ TEST(position_check, fails_without_a_fix_in_three_dimensions) {
 TEST(position_check, fails_when_the_position_is_old_or_was_never_heard) {
   auto seen = good_facts();
   seen.vehicle.position_age_ns = 2 * ns_per_s;
-  EXPECT_EQ(look_at_position(seen, {}).how, verdict::pass);
+  EXPECT_EQ(check_position(seen, {}).how, verdict::pass);
   seen.vehicle.position_age_ns = 2 * ns_per_s + 1;
-  EXPECT_EQ(look_at_position(seen, {}).how, verdict::fail);
+  EXPECT_EQ(check_position(seen, {}).how, verdict::fail);
   seen.vehicle.position_age_ns.reset();
-  EXPECT_EQ(look_at_position(seen, {}).how, verdict::fail);
+  EXPECT_EQ(check_position(seen, {}).how, verdict::fail);
 }
 
 TEST(position_check, is_skipped_while_the_vehicle_is_not_heard) {
   auto seen = good_facts();
   seen.vehicle.link = vehicle_link::connection_phase::lost;
-  EXPECT_EQ(look_at_position(seen, {}).how, verdict::skipped);
+  EXPECT_EQ(check_position(seen, {}).how, verdict::skipped);
 }
 
 } // namespace position_test

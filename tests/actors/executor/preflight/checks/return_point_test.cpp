@@ -1,4 +1,4 @@
-#include "actors/executor/preflight/checks/return_point.hpp"
+#include "actors/executor/preflight/checks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ result with(const mission::document& mission) {
   auto seen = good_facts();
   seen.mission.document = &mission;
   seen.mission.return_point = plan::return_point_violations(mission);
-  return look_at_return_point(seen, {});
+  return check_return_point(seen, {});
 }
 
 TEST(return_point_check, passes_inside_of_the_inclusion_and_outside_of_the_exclusion) {
@@ -39,7 +39,7 @@ TEST(return_point_check, fails_inside_of_an_exclusion) {
 TEST(return_point_check, fails_before_it_was_looked_at) {
   auto seen = good_facts();
   seen.mission.return_point.reset();
-  EXPECT_EQ(look_at_return_point(seen, {}).how, verdict::fail);
+  EXPECT_EQ(check_return_point(seen, {}).how, verdict::fail);
 }
 
 TEST(return_point_check, is_skipped_without_fences) {
@@ -51,7 +51,7 @@ TEST(return_point_check, is_skipped_without_fences) {
 TEST(return_point_check, is_skipped_without_a_mission) {
   auto seen = good_facts();
   seen.mission.document = nullptr;
-  EXPECT_EQ(look_at_return_point(seen, {}).how, verdict::skipped);
+  EXPECT_EQ(check_return_point(seen, {}).how, verdict::skipped);
 }
 
 } // namespace return_point_test

@@ -1,4 +1,4 @@
-#include "actors/executor/preflight/checks/straight_return.hpp"
+#include "actors/executor/preflight/checks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ using namespace test;
 result with(std::vector<plan::return_crossing> found, bool is_asked = true) {
   auto seen = good_facts();
   seen.mission.straight_return = std::move(found);
-  return look_at_straight_return(seen, {.asks_for_straight_return = is_asked});
+  return check_straight_return(seen, {.asks_for_straight_return = is_asked});
 }
 
 TEST(straight_return_check, passes_where_no_return_crosses_a_fence) { EXPECT_EQ(with({}).how, verdict::pass); }
@@ -39,18 +39,18 @@ TEST(straight_return_check, of_many_items_it_names_the_first_ones) {
   auto seen = good_facts();
   seen.mission.document = &mission;
   seen.mission.straight_return = all;
-  const auto found = look_at_straight_return(seen, {});
+  const auto found = check_straight_return(seen, {});
   EXPECT_TRUE(has(found.sentence, "'extra7' and 12 more.")) << found.sentence;
 }
 
 TEST(straight_return_check, fails_before_it_was_looked_at_and_is_skipped_without_fences) {
   auto seen = good_facts();
   seen.mission.straight_return.reset();
-  EXPECT_EQ(look_at_straight_return(seen, {}).how, verdict::fail);
+  EXPECT_EQ(check_straight_return(seen, {}).how, verdict::fail);
   auto mission = small_mission();
   mission.geofences.clear();
   seen.mission.document = &mission;
-  EXPECT_EQ(look_at_straight_return(seen, {}).how, verdict::skipped);
+  EXPECT_EQ(check_straight_return(seen, {}).how, verdict::skipped);
 }
 
 } // namespace straight_return_test

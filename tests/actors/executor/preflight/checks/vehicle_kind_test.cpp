@@ -1,4 +1,4 @@
-#include "actors/executor/preflight/checks/vehicle_kind.hpp"
+#include "actors/executor/preflight/checks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ result with(vehicle_class what, mav_autopilot autopilot) {
   auto seen = good_facts();
   seen.vehicle.what = what;
   seen.vehicle.autopilot = autopilot;
-  return look_at_vehicle_kind(seen, {});
+  return check_vehicle_kind(seen, {});
 }
 
 TEST(vehicle_kind_check, passes_for_each_class_and_each_autopilot_that_is_known) {
@@ -40,7 +40,7 @@ TEST(vehicle_kind_check, fails_for_what_is_no_autopilot_or_one_that_nobody_knows
 TEST(vehicle_kind_check, is_skipped_while_the_vehicle_is_not_heard) {
   auto seen = good_facts();
   seen.vehicle.link = vehicle_link::connection_phase::lost;
-  EXPECT_EQ(look_at_vehicle_kind(seen, {}).how, verdict::skipped);
+  EXPECT_EQ(check_vehicle_kind(seen, {}).how, verdict::skipped);
 }
 
 } // namespace vehicle_kind_test

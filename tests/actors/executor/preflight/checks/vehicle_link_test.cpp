@@ -1,4 +1,4 @@
-#include "actors/executor/preflight/checks/vehicle_link.hpp"
+#include "actors/executor/preflight/checks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ using vehicle_link::connection_phase;
 result with(connection_phase link) {
   auto seen = good_facts();
   seen.vehicle.link = link;
-  return look_at_vehicle_link(seen, {});
+  return check_vehicle_link(seen, {});
 }
 
 TEST(vehicle_link_check, passes_when_the_vehicle_is_heard) {
@@ -34,26 +34,26 @@ TEST(vehicle_link_check, two_autopilots_on_the_line_fail_by_name_unless_one_is_c
   auto seen = good_facts();
   seen.vehicle.line.vehicle = vehicle_link::vehicle_name{1, 1};
   seen.vehicle.line.others = {{2, 1}};
-  const auto verdict = look_at_vehicle_link(seen, {});
+  const auto verdict = check_vehicle_link(seen, {});
   EXPECT_EQ(verdict.how, verdict::fail);
   for (const char* part : {"system 1 and system 2", "vehicle.system"})
     EXPECT_NE(verdict.sentence.find(part), std::string::npos) << verdict.sentence;
   seen.vehicle.line.is_chosen = true;
-  EXPECT_EQ(look_at_vehicle_link(seen, {}).how, verdict::pass);
+  EXPECT_EQ(check_vehicle_link(seen, {}).how, verdict::pass);
 }
 
 TEST(vehicle_link_check, two_vehicles_under_one_name_fail_also_when_one_is_chosen) {
   auto seen = good_facts();
   seen.vehicle.line.is_chosen = true;
   seen.vehicle.line.twin = "Two vehicles speak as system 1.";
-  EXPECT_EQ(look_at_vehicle_link(seen, {}), fail("Two vehicles speak as system 1."));
+  EXPECT_EQ(check_vehicle_link(seen, {}), fail("Two vehicles speak as system 1."));
 }
 
 TEST(vehicle_link_check, a_vehicle_with_another_key_is_not_called_silent) {
   auto seen = good_facts();
   seen.vehicle.link = connection_phase::silent;
   seen.vehicle.link_reason = "frames are refused for their signature: it is signed with another key";
-  const auto verdict = look_at_vehicle_link(seen, {});
+  const auto verdict = check_vehicle_link(seen, {});
   EXPECT_EQ(verdict.how, verdict::fail);
   EXPECT_NE(verdict.sentence.find("another key"), std::string::npos);
 }

@@ -1,4 +1,4 @@
-#include "actors/executor/preflight/checks/vehicle_ready.hpp"
+#include "actors/executor/preflight/checks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ result with(estimate how, const std::string& says = {}) {
   auto seen = good_facts();
   seen.vehicle.estimate = how;
   seen.vehicle.why_not_armed = says;
-  return look_at_vehicle_ready(seen, {});
+  return check_vehicle_ready(seen, {});
 }
 
 TEST(vehicle_ready_check, passes_when_the_estimator_knows_where_it_is) {
@@ -32,9 +32,9 @@ TEST(vehicle_ready_check, a_plane_that_may_align_in_its_take_off_needs_an_acknow
   seen.vehicle.autopilot = mav_autopilot::ardupilotmega;
   seen.vehicle.what = flight::vehicle_class::fixed_wing;
   seen.vehicle.own = own_checks::passing;
-  EXPECT_EQ(look_at_vehicle_ready(seen, {}).how, verdict::degraded);
+  EXPECT_EQ(check_vehicle_ready(seen, {}).how, verdict::degraded);
   seen.vehicle.own = own_checks::failing;
-  EXPECT_EQ(look_at_vehicle_ready(seen, {}).how, verdict::fail);
+  EXPECT_EQ(check_vehicle_ready(seen, {}).how, verdict::fail);
 }
 
 TEST(vehicle_ready_check, says_the_reason_in_the_vehicles_own_words) {
@@ -53,7 +53,7 @@ TEST(vehicle_ready_check, is_skipped_for_a_vehicle_that_does_not_tell) {
 TEST(vehicle_ready_check, is_skipped_while_the_vehicle_is_not_heard) {
   auto seen = good_facts();
   seen.vehicle.link = vehicle_link::connection_phase::lost;
-  EXPECT_EQ(look_at_vehicle_ready(seen, {}).how, verdict::skipped);
+  EXPECT_EQ(check_vehicle_ready(seen, {}).how, verdict::skipped);
 }
 
 // The numbers are from recordings of ArduPilot's rover 4.7 and PX4 1.17.

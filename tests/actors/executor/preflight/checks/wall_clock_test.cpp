@@ -1,4 +1,4 @@
-#include "actors/executor/preflight/checks/wall_clock.hpp"
+#include "actors/executor/preflight/checks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,15 +12,15 @@ using namespace test;
 TEST(wall_clock_check, passes_from_the_configured_date_on) {
   auto seen = good_facts();
   seen.wall_ns = 2'000 * ns_per_s;
-  EXPECT_EQ(look_at_wall_clock(seen, {.earliest_date_s = 2'000}).how, verdict::pass);
+  EXPECT_EQ(check_wall_clock(seen, {.earliest_date_s = 2'000}).how, verdict::pass);
 }
 
 TEST(wall_clock_check, fails_before_it) {
   auto seen = good_facts();
   seen.wall_ns = 2'000 * ns_per_s - 1;
-  EXPECT_EQ(look_at_wall_clock(seen, {.earliest_date_s = 2'000}).how, verdict::fail);
+  EXPECT_EQ(check_wall_clock(seen, {.earliest_date_s = 2'000}).how, verdict::fail);
   seen.wall_ns = 0; // a computer without a clock of its own wakes up in 1970
-  EXPECT_EQ(look_at_wall_clock(seen, {}).how, verdict::fail);
+  EXPECT_EQ(check_wall_clock(seen, {}).how, verdict::fail);
 }
 
 } // namespace wall_clock_test

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "actors/domain/vehicle_text/vehicle_text.hpp"
+#include "actors/executor/flight/new_run.hpp"
 #include "actors/executor/state_token.hpp"
 #include "io/mavlink/enums.hpp"
 #include "runtime/planted_bug.hpp"
@@ -58,7 +59,7 @@ const std::array<core::rule, 17> core::rules{
     &core::take_back,         // an operator has handed the vehicle back
     &core::leave_to_person,   // nothing below is done while somebody else has it
     &core::bring_last_line,   // fences and rally points, behind a plan that is ready
-    &core::begin_wanted,      // what was begun before, a change, resume, start
+    &core::begin_wanted,      // what was begun before, a new run, a change, resume, start
     &core::prepare,           // the next flight, on the ground
 };
 
@@ -125,8 +126,9 @@ bool core::leave_to_person(effects& out, instant) {
 }
 
 bool core::begin_wanted(effects& out, instant now) {
-  return recovery_.finish(out) || changes_.bring_plan_before(out, now) || changes_.bring_return_anew(out, now) ||
-         changes_.begin_wanted(out, now) || operators_.go_on(out, now) || start_.begin_wanted(out, now);
+  return recovery_.finish(out) || begin_new_run(flight_, out, now) || changes_.bring_plan_before(out, now) ||
+         changes_.bring_return_anew(out, now) || changes_.begin_wanted(out, now) || operators_.go_on(out, now) ||
+         start_.begin_wanted(out, now);
 }
 
 bool core::prepare(effects& out, instant now) {

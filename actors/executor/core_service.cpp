@@ -22,6 +22,7 @@ effects core::on_mission(const mission_client::mission_loaded& m, instant now) {
   const auto& s = flight_.s;
   const auto& id = m.document.mission_id;
   effects out;
+  flight_.as_it_came = m.document;
   auto told = s.progress;
   if (m.earlier) {
     const progress::earlier_reports_told earlier{id, m.earlier->last_report_no, m.earlier->last_report};

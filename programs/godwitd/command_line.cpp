@@ -85,7 +85,8 @@ struct verb_row {
 };
 
 constexpr verb_row verbs[] = {
-    {operators::command_kind::start, "start", "Starts the flight of the plan that is ready."},
+    {operators::command_kind::start, "start",
+     "Starts the flight of the plan that is ready; after its end: prepares the mission again."},
     {operators::command_kind::pause, "pause", "Holds where it is."},
     {operators::command_kind::resume, "resume", "Continues the mission; on the ground: prepares the rest of it."},
     {operators::command_kind::come_home, "come-home", "Returns, and ends the mission."},

@@ -9,6 +9,7 @@
 //   change         go to, cancel, insert
 //   go_on          resume
 //   start          a ground station's, or an operator's
+//   new_run        a start after the end of the mission: it is prepared again
 //
 // The last of halt, change and go_on counts: one takes the place of the others. Thread: plain values.
 #pragma once
@@ -54,6 +55,7 @@ struct command_queue {
   std::optional<plan_change> change;
   bool go_on = false;
   std::optional<start_flight> start;
+  bool new_run = false;
   bool end_flight = false; // a person ends it: its vehicle is not waited for any more
 
   void put_halt(task_kind what) {
@@ -74,6 +76,7 @@ struct command_queue {
     finish_replan = false;
     bring_back = false;
     start.reset();
+    new_run = false;
   }
 
 private:

@@ -64,6 +64,8 @@ struct flight_context {
   command_queue wanted;
   // The last mission, revision or assignment that could not be flown, for people; a new incarnation knows of none.
   std::optional<known_mission> refused;
+  // The mission that a file, the page or the service has brought last, before changes; a new incarnation has none.
+  std::optional<mission::document> as_it_came;
   // A revision of the service that was not taken: it has that one, and changes are made to it.
   std::optional<std::pair<std::string, std::int32_t>> refused_revision;
   std::string refused_start; // by the vehicle, for now: why

@@ -7,6 +7,7 @@
 
 #include "actors/domain/mission/rules.hpp"
 #include "actors/domain/mission/version.hpp"
+#include "actors/executor/flight/new_run.hpp"
 #include "actors/executor/station_part.hpp"
 #include "actors/executor/station_plan.hpp"
 #include "io/mavlink/enums.hpp"
@@ -230,7 +231,8 @@ std::string gcs_view::why_not_meant(const start_mission& m) {
   return {};
 }
 
-// A station's plan that was flown, or the part of it that is asked for, is flown again as another mission.
+// A station's plan that was flown, or the part of it that is asked for, is flown again as another mission; so is the
+// mission of a file or of the page.
 bool gcs_view::fly_again(effects& out, const start_mission& m, instant now) {
   if (!is_at_rest(flight_.s.status.now) || flight_.s.arrived)
     return false;
@@ -238,7 +240,9 @@ bool gcs_view::fly_again(effects& out, const start_mission& m, instant now) {
   const auto again = part_of_plan(flight_.s, {m.first, m.last}, takes_off);
   if (again)
     out.emplace_back(note{as_new_mission(*again, now.wall_ns)});
-  return again.has_value();
+  else
+    flight_.wanted.new_run = why_no_new_run(flight_).empty();
+  return again || flight_.wanted.new_run;
 }
 
 // -- what they see ----------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "actors/executor/flight/new_run.hpp"
 #include "actors/executor/flight/vehicle_steps.hpp"
 
 namespace godwit::executor {
@@ -40,7 +41,9 @@ operators::answer operator_control::take(const operators::command& m, bool has_l
     wanted.hand_back = true;
     break;
   case command_kind::start:
-    if (!wanted.start)
+    if (is_at_rest(flight_.s.status.now))
+      wanted.new_run = true;
+    else if (!wanted.start)
       wanted.start.emplace();
     break;
   case command_kind::resume:
@@ -75,6 +78,8 @@ std::string operator_control::why_not(const operators::command& m, bool has_look
       return "the vehicle is not heard, so nobody knows who has it; repeat the command when it is";
     return {};
   case command_kind::start:
+    if (is_at_rest(at))
+      return why_no_new_run(flight_);
     return at == phase::ready ? flight_.why_not_armed() : "the flight is not ready: " + flight_.sentence();
   case command_kind::resume:
     return why_not_resume();

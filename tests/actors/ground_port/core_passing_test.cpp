@@ -286,10 +286,10 @@ TEST_F(ground_port_passing, a_hold_that_godwit_does_is_accepted_when_the_vehicle
 TEST_F(ground_port_passing, a_hold_that_the_vehicle_does_not_obey_is_refused_with_the_reason) {
   set_mode(17);
   port.executor_says(act_verdict::begun);
-  port.executor_resolves(act_verdict::refused, "the vehicle did not execute the command");
+  port.executor_resolves(act_verdict::refused, "it was not executed");
   EXPECT_EQ(port.last_result(), mavlink::number(mav_result::temporarily_rejected));
   port.advance(s);
-  EXPECT_TRUE(port.said("Mode hold (17): the vehicle did not execute the command"));
+  EXPECT_TRUE(port.said("Mode hold (17): it was not executed"));
 }
 
 TEST_F(ground_port_passing, a_hold_goes_on_after_all_where_somebody_takes_the_vehicle_before) {

@@ -62,7 +62,7 @@ TEST(camera_trial, a_helper_that_ends_or_says_nothing_is_named_and_started_again
   (void)t.look();
   EXPECT_EQ(t.started, 2U);
   t.now_ns += camera_trial::patience_ns;
-  EXPECT_NE(t.all.look(t.now_ns).problem.find("said nothing"), std::string::npos);
+  EXPECT_NE(t.all.look(t.now_ns).problem.find("sent nothing"), std::string::npos);
   EXPECT_FALSE(t.is_open());
 }
 

@@ -47,7 +47,7 @@ TEST(fault, a_mistake_is_named_and_the_form_is_shown) {
       {"way out", "\"out\" does not name the state of the way: blocked or free"},
       {"battery full", "\"full\" is not a charge of a battery: 0 to 100"},
       {"battery 101", "\"101\" is not a charge"},
-      {"say", "\"\" is not what an autopilot says"},
+      {"say", "\"\" is no text of an autopilot"},
       {"refuse", "\"\" is not a command"},
       {"refuse FLY", "\"FLY\" is not a command"},
       {"refuse 65536", "\"65536\" is not a command"},

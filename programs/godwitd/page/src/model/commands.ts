@@ -14,7 +14,7 @@ export interface command_row {
 }
 
 export const command_rows: readonly command_row[] = [
-  { name: "start", label: "Start", key: "s", moves: true, is_stop: false, hint: "fly the plan that is ready" },
+  { name: "start", label: "Start", key: "s", moves: true, is_stop: false, hint: "fly the plan that is ready; of a mission that is over: prepare it again" },
   { name: "pause", label: "Pause", key: "p", moves: false, is_stop: true, hint: "hold where it is" },
   { name: "resume", label: "Resume", key: "r", moves: true, is_stop: false, hint: "continue the mission" },
   { name: "come_home", label: "Come home", key: "h", moves: true, is_stop: true, hint: "return, and end the mission" },

@@ -30,9 +30,6 @@ public:
                                                const io::mavlink::scan_counters& heard);
 
 private:
-  [[nodiscard]] std::string silence() const;
-  [[nodiscard]] std::string noise(std::uint64_t bytes) const;
-
   io::link::uri where_;
   bool has_heartbeat_;
   bool told_v1_ = false;

@@ -9,10 +9,10 @@
 #include <poll.h>
 
 #include "io/mavlink/frame.hpp"
+#include "programs/common/peer_scanners.hpp"
 #include "programs/godwit-trace/chunk_queue.hpp"
 #include "programs/godwit-trace/heartbeat_sender.hpp"
 #include "programs/godwit-trace/link_hints.hpp"
-#include "programs/godwit-trace/peer_scanners.hpp"
 #include "programs/godwit-trace/signature_check.hpp"
 #include "programs/godwit-trace/tlog_recording.hpp"
 #include "programs/godwit-trace/traffic.hpp"
@@ -216,7 +216,7 @@ private:
   signature_check check_;
   std::optional<heartbeat_sender> heartbeat_;
   tlog_recording recording_;
-  peer_scanners scanner_;
+  programs::peer_scanners scanner_;
   traffic heard_;
   std::uint64_t printed_ = 0;
   bool stopped_ = false;

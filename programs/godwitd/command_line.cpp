@@ -32,6 +32,7 @@ Examples:
   godwitd --mission survey.plan --vehicle serial:///dev/ttyAMA0:921600 --ground udpin://0.0.0.0:14555
   godwitd --config godwit.json --sightings seen.ndjson --once
   godwitd --check-config --config godwit.json
+  godwitd doctor --vehicle serial:///dev/ttyACM0:57600
   godwitd --outbox --journal godwit.db
   godwitd ctl status
   godwitd ctl start
@@ -298,6 +299,18 @@ void add_accounts(CLI::App& app, invocation& to) {
   }
 }
 
+void add_doctor(CLI::App& app, invocation& to) {
+  auto* const doctor = app.add_subcommand(
+      "doctor",
+      "Looks at serial line, autopilot, clock, disk and configuration, and names what is wrong with a remedy.");
+  doctor->fallthrough();
+  doctor->add_option("--seconds", to.patience_s, "Listens so long for the autopilot, 1 to 60 (5)")
+      ->check(CLI::Range(1, 60));
+  doctor->footer(
+      "Exit codes: 0 nothing keeps a flight from starting, 1 something does, 2 a mistake on the command line.");
+  doctor->callback([&to] { to.what = task::examine; });
+}
+
 std::vector<std::string> vehicle_names() {
   std::vector<std::string> result;
   for (const auto& each : io::enum_table<mission::vehicle_profile>)
@@ -326,6 +339,7 @@ tl::expected<invocation, exit_code> read_command_line(int argc, const char* cons
   add_control(app, result);
   add_accounts(app, result);
   add_convert(app, result);
+  add_doctor(app, result);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

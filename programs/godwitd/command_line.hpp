@@ -21,6 +21,7 @@ namespace godwit::daemon {
 enum class task {
   run,
   check_config,
+  examine,
   list_outbox,
   convert,
   ask_status,
@@ -53,6 +54,7 @@ struct invocation {
   task what = task::run;
   given_texts options;                   // by the names of option_table.hpp
   bool json = false;                     // answers for programs
+  std::uint32_t patience_s = 5;          // examine: so long it listens on the line
   convert_arguments files;               // convert
   std::string outbox_key;                // retry_outbox; empty: all
   operators::command said;               // say_word; by is left empty

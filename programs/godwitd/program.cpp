@@ -21,6 +21,7 @@
 #include "programs/godwitd/config_check.hpp"
 #include "programs/godwitd/configuration.hpp"
 #include "programs/godwitd/console.hpp"
+#include "programs/godwitd/doctor/doctor.hpp"
 #include "programs/godwitd/operator_text.hpp"
 #include "programs/godwitd/outbox_listing.hpp"
 #include "programs/godwitd/settings.hpp"
@@ -63,6 +64,13 @@ exit_code check_config(const daemon_settings& wanted) {
     return exit_code::usage;
   print("the configuration can be used\n");
   return exit_code::ok;
+}
+
+exit_code examine(const json& configuration, std::chrono::seconds patience, bool as_json) {
+  const auto found = doctor::examine(configuration, patience);
+  print(as_json ? doctor::json_of(found).dump(2, ' ', false, json::error_handler_t::replace) + "\n"
+                : doctor::text_of(found));
+  return doctor::has_problem(found) ? exit_code::failed : exit_code::ok;
 }
 
 exit_code ask_running(const json& configuration, const json& question, bool as_json,
@@ -148,6 +156,8 @@ exit_code run_configured(const invocation& asked, const add_more& more) {
   if (!configuration)
     return fail(exit_code::usage, configuration.error());
   switch (asked.what) {
+  case task::examine:
+    return examine(*configuration, std::chrono::seconds(asked.patience_s), asked.json);
   case task::list_outbox:
     return list_outbox(*configuration, asked.json);
   case task::ask_status:

@@ -38,7 +38,7 @@ TEST(item_planner, a_fixed_wing_takes_off_towards_the_next_place) {
 TEST(item_planner, a_fixed_wing_that_has_nowhere_to_take_off_to_is_refused) {
   EXPECT_EQ(why_not(mission_of({take_off_item, home_again}), px4_plane),
             "Item 'up': A fixed wing takes off towards the next place, and none is at least 20 m away; put a waypoint "
-            "behind it, in the direction of the runway.");
+            "after it, in the direction of the runway.");
   EXPECT_NE(why_not(mission_of({take_off_item, waypoint("near", at(3, 0, 30)), out}), ardupilot_plane), "");
 }
 

@@ -1,4 +1,4 @@
-#include "programs/godwit-trace/peer_scanners.hpp"
+#include "programs/common/peer_scanners.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 namespace peer_scanners_test {
 
 using namespace godwit;
-using trace_tool::peer_scanners;
+using programs::peer_scanners;
 
 TEST(peer_scanners, frames_that_are_split_over_datagrams_are_joined_while_another_peer_speaks) {
   peer_scanners all;

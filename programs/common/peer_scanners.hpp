@@ -10,7 +10,7 @@
 #include "io/link/status.hpp"
 #include "io/mavlink/scanner.hpp"
 
-namespace godwit::trace_tool {
+namespace godwit::programs {
 
 class peer_scanners {
 public:
@@ -43,4 +43,4 @@ private:
   io::mavlink::scan_counters forgotten_; // of peers that made room
 };
 
-} // namespace godwit::trace_tool
+} // namespace godwit::programs

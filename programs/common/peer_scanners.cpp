@@ -1,6 +1,6 @@
-#include "programs/godwit-trace/peer_scanners.hpp"
+#include "programs/common/peer_scanners.hpp"
 
-namespace godwit::trace_tool {
+namespace godwit::programs {
 
 namespace {
 
@@ -48,4 +48,4 @@ std::vector<io::mavlink::sender_counters> peer_scanners::senders() const {
   return result;
 }
 
-} // namespace godwit::trace_tool
+} // namespace godwit::programs

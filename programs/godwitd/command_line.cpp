@@ -252,6 +252,10 @@ void add_control(CLI::App& app, invocation& to) {
   sign->fallthrough();
   sign->add_flag("--off", to.ends_signing, "Removes the key: the autopilot signs no longer, and accepts everybody");
   sign->callback([&to] { to.what = task::set_up_signing; });
+  auto* const restart = ctl->add_subcommand(
+      "may-restart", "Exits with 0 while no flight is under way: godwitd may be stopped or exchanged. Else 1.");
+  restart->fallthrough();
+  restart->callback([&to] { to.what = task::may_restart; });
   auto* const rescue = ctl->add_subcommand(
       "rescue-journal",
       "Writes the journal to a new file beside it when its own was deleted, replaced or cut in flight.");

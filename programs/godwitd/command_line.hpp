@@ -22,6 +22,7 @@ enum class task {
   run,
   check_config,
   examine,
+  may_restart,
   list_outbox,
   convert,
   ask_status,

@@ -24,6 +24,7 @@
 #include "programs/godwitd/doctor/doctor.hpp"
 #include "programs/godwitd/operator_text.hpp"
 #include "programs/godwitd/outbox_listing.hpp"
+#include "programs/godwitd/restart_check.hpp"
 #include "programs/godwitd/settings.hpp"
 #include "programs/godwitd/shown_answer.hpp"
 #include "programs/godwitd/status_text.hpp"
@@ -71,6 +72,13 @@ exit_code examine(const json& configuration, std::chrono::seconds patience, bool
   print(as_json ? doctor::json_of(found).dump(2, ' ', false, json::error_handler_t::replace) + "\n"
                 : doctor::text_of(found));
   return doctor::has_problem(found) ? exit_code::failed : exit_code::ok;
+}
+
+exit_code may_restart(const json& configuration) {
+  if (const auto why_not = why_not_restart(configuration); !why_not.empty())
+    return fail(exit_code::failed, programs::printable(why_not) + "; stop or exchange godwitd after it");
+  print("no flight is under way: godwitd may be stopped or exchanged\n");
+  return exit_code::ok;
 }
 
 exit_code ask_running(const json& configuration, const json& question, bool as_json,
@@ -158,6 +166,8 @@ exit_code run_configured(const invocation& asked, const add_more& more) {
   switch (asked.what) {
   case task::examine:
     return examine(*configuration, std::chrono::seconds(asked.patience_s), asked.json);
+  case task::may_restart:
+    return may_restart(*configuration);
   case task::list_outbox:
     return list_outbox(*configuration, asked.json);
   case task::ask_status:

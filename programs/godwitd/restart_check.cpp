@@ -5,6 +5,7 @@
 #include "programs/common/control_client.hpp"
 #include "programs/godwitd/configuration.hpp"
 #include "programs/godwitd/flight_state.hpp"
+#include "programs/godwitd/restart_status.hpp"
 #include "runtime/journal/journal_reader.hpp"
 #include "runtime/process.hpp"
 
@@ -29,18 +30,6 @@ std::string why_not_by_journal(const std::string& file) {
 }
 
 } // namespace
-
-std::string why_not_restart_now(const nlohmann::json& status) {
-  const auto flight = status.value("flight", nlohmann::json::object());
-  const auto sentence = flight.value("sentence", std::string("its status has no flight"));
-  if (!status.value("ok", false) || !flight.contains("in_flight"))
-    return "whether a flight is under way is not known: " + status.value("error", sentence);
-  if (flight.value("in_flight", true))
-    return "a flight is under way: " + sentence;
-  if (flight.value("is_armed", true) || flight.value("phase", std::string()) == "starting")
-    return "the vehicle is armed: " + sentence;
-  return {};
-}
 
 std::string why_not_restart(const nlohmann::json& configuration) {
   const auto status = control::ask_daemon(control_path(configuration), {{"do", "status"}});

@@ -11,7 +11,4 @@ namespace godwit::daemon {
 // it has left a flight, which systemd goes on with at once.
 [[nodiscard]] std::string why_not_restart(const nlohmann::json& configuration);
 
-// STATUS: the answer of a running godwitd. Pure.
-[[nodiscard]] std::string why_not_restart_now(const nlohmann::json& status);
-
 } // namespace godwit::daemon

@@ -16,12 +16,12 @@ constexpr int cell_rows = 12;
 constexpr int cells_around = 2;       // cells on each side of the one of a place
 constexpr double first_births = 0.04; // a second and cell: what was not seen yet is not trusted
 constexpr double clutter_memory_s = 1;
-constexpr double calm_births = 1.5; // a second, around a place
+constexpr double calm_births = 1.2; // a second, around a place
 constexpr double few_blobs = 7;     // a picture: too few to be clutter, where they stay
 constexpr double few_births = 25;   // a second, in the whole picture
 constexpr double usual_step_s = 0.1;
-constexpr double flicker_exponent =
-    0.8;                          // noise begins in each picture anew, leaves do not: births rise so with pictures
+// Noise begins in each picture anew, leaves do not: births a second rise so with the pictures a second.
+constexpr double flicker_exponent = 0.8;
 constexpr int longest_missed = 2; // pictures
 constexpr double like_growth = 2.2;
 constexpr double like_slack_px = 2;

@@ -32,13 +32,13 @@ struct demands {
   double sure_speed;   // in standard deviations of the speed
   double age_s;
 };
-constexpr demands of_calm{4, 0.6, 0.5, 0.6, 0.5, 0.3};
-constexpr demands of_differences{4, 0.75, 0.6, 0.75, 2, 0.5}; // which hold mostly edges
-constexpr demands of_clutter{10, 1.0, 0.75, 0.75, 5, 0.8};
+constexpr demands of_calm{4, 0.5, 0.5, 0.6, 0.5, 0.3};
+constexpr demands of_differences{4, 0.75, 0.6, 0.75, 1, 0.5}; // which hold mostly edges
+constexpr demands of_clutter{10, 1.0, 0.65, 0.75, 5, 0.8};
 constexpr demands of_proved_calm{2.5, 0.25, 0.5, 0.5, 0.5, 0.15}; // where a proof can be asked for
 constexpr demands of_proved_clutter{3, 0.4, 0.6, 0.6, 2, 0.3};    // where it is
 constexpr double way_among_clutter = 1; // by size, unless the whole picture is calm: what sways stays within its own
-constexpr double border_px = 1.5;       // interpolation reaches so far in
+constexpr double border_px = 2;         // so far in interpolation and differences reach
 constexpr double least_clutter_to_prove = 0.1;
 constexpr double least_breadth = 0.25; // of the length: what is thinner is an edge of something
 constexpr double clutter_reach = 0.1;  // of the picture's width
@@ -50,8 +50,8 @@ constexpr double cluttered_births_everywhere_a_s = 75;
 constexpr double calm_background_a_s = 1; // births of its blobs, likewise
 constexpr double cluttered_background_a_s = 7;
 constexpr std::size_t most_births = 1000;
-constexpr double strange_s = 0.2;    // in which a new scene becomes known
-constexpr int seen_to_follow_on = 8; // before the second association holds a track that is not confirmed
+constexpr double strange_s = 0.2;     // in which a new scene becomes known
+constexpr int seen_to_follow_on = 12; // before the second association holds a track that is not confirmed
 constexpr double double_share = 0.5;
 constexpr std::size_t most_places = 32; // remembered of a track
 constexpr double edges_px = 3;          // what goes less in the time of the quick difference shows only its edges there

@@ -17,6 +17,7 @@
 #include "programs/godwit-eyes/detection/own_motion.hpp"
 #include "programs/godwit-eyes/detection/parallax.hpp"
 #include "programs/godwit-eyes/detection/picture_check.hpp"
+#include "programs/godwit-eyes/detection/still_parts.hpp"
 #include "programs/godwit-eyes/detection/tracker.hpp"
 #include "programs/godwit-eyes/ground/ground_point.hpp"
 #include "programs/godwit-eyes/ground/sight.hpp"
@@ -85,6 +86,7 @@ struct detector::parts {
   own_motion motion;
   motion_proof proof;
   recent_change change;
+  still_parts stands;
   background_model background;
   clutter_map clutter;
   tracker tracks;
@@ -101,6 +103,7 @@ struct detector::parts {
 
 void detector::parts::begin_anew() {
   motion.forget();
+  stands.lose();
   change.forget();
   background.forget();
   clutter.forget();
@@ -218,6 +221,7 @@ unusable detector::parts::find(const cv::Mat& now, verdict& said) {
   found_ns = last_ns;
   if (moved_by.why != unusable::none) {
     const bool is_first = pictures == 0;
+    stands.lose();
     change.forget();
     background.forget();
     clutter.forget();
@@ -231,7 +235,12 @@ unusable detector::parts::find(const cv::Mat& now, verdict& said) {
   std::copy_n(full.val, 9, figures.homography->begin());
   figures.corner_shift_px = corner_shift(full, cv::Size(width, height));
   const cv::Matx33d& before_to_now = moved_by.before_to_now;
-  const auto background_blobs = find_blobs(background.look(smooth, before_to_now));
+  stands.step(smooth, dt_s, before_to_now);
+  const auto without_still = [this](cv::Mat mask) {
+    stands.clear(mask);
+    return mask;
+  };
+  const auto background_blobs = find_blobs(without_still(background.look(smooth, before_to_now)));
   figures.changed_share = background_blobs.changed_share;
   clutter.step(background_blobs.blobs, dt_s, before_to_now, now.size());
   change.add(smooth, dt_s, before_to_now);
@@ -240,8 +249,9 @@ unusable detector::parts::find(const cv::Mat& now, verdict& said) {
   blobs_found slow_difference;
   const bool can_prove = sights.size() >= 2;
   if (!can_prove && (!clutter.is_calm() || tracks.needs_differences())) {
-    difference = find_blobs(change.find(recent_change::quick_s, least), blob_source::difference);
-    slow_difference = find_blobs(change.find(recent_change::slow_s, least), blob_source::slow_difference);
+    difference = find_blobs(without_still(change.find(recent_change::quick_s, least)), blob_source::difference);
+    slow_difference =
+        find_blobs(without_still(change.find(recent_change::slow_s, least)), blob_source::slow_difference);
   }
   proof.add(smooth, dt_s, before_to_now);
   tracker::prover proves;

@@ -16,7 +16,7 @@
 namespace godwit::eyes {
 
 struct motion_found {
-  unusable why = unusable::none; // few_features, too_many_movers, no_homography
+  unusable why = unusable::none; // few_features, no_homography
   cv::Matx33d before_to_now = cv::Matx33d::eye();
   int features = 0;
   int inliers = 0;

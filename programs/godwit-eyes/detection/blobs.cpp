@@ -10,7 +10,8 @@ namespace godwit::eyes {
 
 namespace {
 
-constexpr int closing = 7; // pixels across which parts belong together
+constexpr int closing = 7;          // pixels across which parts belong together
+constexpr int closing_of_edges = 9; // likewise, of a difference
 constexpr int fewest_pixels = 6;
 constexpr int fewest_sure = 2;
 constexpr std::uint8_t sure_from = 200;
@@ -69,7 +70,7 @@ blob counted(const labelled& in, const cv::Rect& around, int label) {
 
 } // namespace
 
-blobs_found find_blobs(const cv::Mat& mask) {
+blobs_found find_blobs(const cv::Mat& mask, blob_source from) {
   blobs_found found;
   // A single pixel is noise: at least three of nine.
   cv::Mat dense;
@@ -77,8 +78,9 @@ blobs_found find_blobs(const cv::Mat& mask) {
   cv::max(dense, mask & (dense > 0), dense);
   found.changed_share = static_cast<double>(cv::countNonZero(dense)) / static_cast<double>(mask.total());
   cv::Mat closed;
+  const int across = from == blob_source::background ? closing : closing_of_edges;
   cv::morphologyEx(dense > 0, closed, cv::MORPH_CLOSE,
-                   cv::getStructuringElement(cv::MORPH_RECT, cv::Size(closing, closing)));
+                   cv::getStructuringElement(cv::MORPH_RECT, cv::Size(across, across)));
   cv::Mat shade = (mask == mask_value::shadow_may_be) | (mask == mask_value::shadow_sure);
   cv::medianBlur(shade, shade, 3);     // what matches by chance stands alone
   cv::dilate(shade, shade, cv::Mat()); // the edge of a shadow is half lit
@@ -89,7 +91,8 @@ blobs_found find_blobs(const cv::Mat& mask) {
   for (int n = 1; n < count; ++n) {
     const cv::Rect around(stats.at<int>(n, cv::CC_STAT_LEFT), stats.at<int>(n, cv::CC_STAT_TOP),
                           stats.at<int>(n, cv::CC_STAT_WIDTH), stats.at<int>(n, cv::CC_STAT_HEIGHT));
-    const blob made = counted({dense, shade, labels}, around, n);
+    blob made = counted({dense, shade, labels}, around, n);
+    made.from = from;
     if (made.pixels >= fewest_pixels && made.sure >= fewest_sure)
       found.blobs.push_back(made);
   }

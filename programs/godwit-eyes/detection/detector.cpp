@@ -11,10 +11,13 @@
 
 #include "programs/godwit-eyes/detection/background_model.hpp"
 #include "programs/godwit-eyes/detection/blobs.hpp"
+#include "programs/godwit-eyes/detection/change.hpp"
+#include "programs/godwit-eyes/detection/clutter_map.hpp"
 #include "programs/godwit-eyes/detection/motion_proof.hpp"
 #include "programs/godwit-eyes/detection/own_motion.hpp"
 #include "programs/godwit-eyes/detection/parallax.hpp"
 #include "programs/godwit-eyes/detection/picture_check.hpp"
+#include "programs/godwit-eyes/detection/still_parts.hpp"
 #include "programs/godwit-eyes/detection/tracker.hpp"
 #include "programs/godwit-eyes/ground/ground_point.hpp"
 #include "programs/godwit-eyes/ground/sight.hpp"
@@ -25,7 +28,8 @@ namespace godwit::eyes {
 namespace {
 
 constexpr double even_brightness = 115;
-constexpr int pictures_to_start = 6; // the background is young before
+constexpr double least_change = 8; // grey levels
+constexpr double free_gain = 1.5;  // up to which a brighter picture has no more noise to speak of
 constexpr double longest_gap_s = 0.5;
 constexpr int most_coasting = 3; // a track that was not seen for longer is not said
 
@@ -70,7 +74,7 @@ struct detector::parts {
 
   void begin_anew();
   [[nodiscard]] verdict look(const frame_view& frame, const std::optional<camera_pose>& pose);
-  [[nodiscard]] unusable find(const cv::Mat& now, double dt_s, verdict& said);
+  [[nodiscard]] unusable find(const cv::Mat& now, verdict& said);
   [[nodiscard]] unusable take_pose(const std::optional<camera_pose>& pose, std::int64_t at_ns);
   [[nodiscard]] Eigen::Vector3d camera_velocity() const;
   void mark_parallax();
@@ -80,24 +84,33 @@ struct detector::parts {
 
   detector_settings settings;
   own_motion motion;
-  background_model background;
   motion_proof proof;
+  recent_change change;
+  still_parts stands;
+  background_model background;
+  clutter_map clutter;
   tracker tracks;
   cv::Mat last;
   int width = 0;
   int height = 0;
   int reduction = 1;
   std::int64_t last_ns = 0;
+  std::int64_t found_ns = 0; // of the picture with which the next one is compared
+  std::optional<sight> found_from;
   int pictures = 0;         // since it began anew
   std::deque<sight> sights; // of the last pictures, the newest at the back; empty: the pose is not known
 };
 
 void detector::parts::begin_anew() {
   motion.forget();
+  stands.lose();
+  change.forget();
   background.forget();
+  clutter.forget();
   proof.forget();
   tracks.forget();
   sights.clear();
+  found_from.reset();
   last.release();
   pictures = 0;
 }
@@ -129,7 +142,7 @@ verdict detector::parts::look(const frame_view& frame, const std::optional<camer
     return said;
   }
   const unusable flaw = take_pose(pose, frame.captured_ns);
-  said.why = find(now, dt_s, said); // also where the pose is wrong: the next picture needs this one
+  said.why = find(now, said); // also where the pose is wrong: the next picture needs this one
   if (flaw != unusable::none)
     said.why = flaw;
   if (said.why == unusable::none)
@@ -187,22 +200,31 @@ std::optional<still_reach> detector::parts::reach_at(const cv::Point2d& place) c
                      sway_m * still->pixels_a_metre / reduction};
 }
 
-unusable detector::parts::find(const cv::Mat& now, double dt_s, verdict& said) {
+unusable detector::parts::find(const cv::Mat& now, verdict& said) {
   cv::Mat smooth;
   cv::GaussianBlur(now, smooth, cv::Size(3, 3), 0.7);
   // Automatic exposure is a factor, and optical flow takes the ground for equally bright in both pictures.
-  smooth.convertTo(smooth, CV_8U, std::clamp(even_brightness / std::max(said.figures.brightness, 1.0), 0.5, 4.0));
+  const double gain = std::clamp(even_brightness / std::max(said.figures.brightness, 1.0), 0.5, 4.0);
+  smooth.convertTo(smooth, CV_8U, gain);
   std::optional<cv::Matx33d> guess;
-  if (sights.size() >= 2)
-    guess = scaled_down(ground_homography(sights[sights.size() - 2], sights.back()), reduction);
+  if (found_from && !sights.empty())
+    guess = scaled_down(ground_homography(*found_from, sights.back()), reduction);
   const auto moved_by = motion.step(smooth, guess);
   look_figures& figures = said.figures;
   figures.features = moved_by.features;
   figures.inliers = moved_by.inliers;
   figures.residual_px = moved_by.residual_px * reduction;
+  if (motion.is_waiting())
+    return moved_by.why;
+  found_from = sights.empty() ? std::nullopt : std::optional(sights.back());
+  const double dt_s = static_cast<double>(last_ns - found_ns) * 1e-9;
+  found_ns = last_ns;
   if (moved_by.why != unusable::none) {
     const bool is_first = pictures == 0;
+    stands.lose();
+    change.forget();
     background.forget();
+    clutter.forget();
     proof.forget();
     tracks.forget();
     pictures = 1;
@@ -212,24 +234,42 @@ unusable detector::parts::find(const cv::Mat& now, double dt_s, verdict& said) {
   figures.homography.emplace();
   std::copy_n(full.val, 9, figures.homography->begin());
   figures.corner_shift_px = corner_shift(full, cv::Size(width, height));
-  const cv::Mat& mask = background.look(smooth, moved_by.before_to_now);
-  const auto found = find_blobs(mask);
-  figures.changed_share = found.changed_share;
-  proof.add(smooth, dt_s, moved_by.before_to_now);
+  const cv::Matx33d& before_to_now = moved_by.before_to_now;
+  stands.step(smooth, dt_s, before_to_now);
+  const auto without_still = [this](cv::Mat mask) {
+    stands.clear(mask);
+    return mask;
+  };
+  const auto background_blobs = find_blobs(without_still(background.look(smooth, before_to_now)));
+  figures.changed_share = background_blobs.changed_share;
+  clutter.step(background_blobs.blobs, dt_s, before_to_now, now.size());
+  change.add(smooth, dt_s, before_to_now);
+  const int least = static_cast<int>(std::lround(least_change * std::max(1.0, gain / free_gain)));
+  blobs_found difference;
+  blobs_found slow_difference;
+  const bool can_prove = sights.size() >= 2;
+  if (!can_prove && (!clutter.is_calm() || tracks.needs_differences())) {
+    difference = find_blobs(without_still(change.find(recent_change::quick_s, least)), blob_source::difference);
+    slow_difference =
+        find_blobs(without_still(change.find(recent_change::slow_s, least)), blob_source::slow_difference);
+  }
+  proof.add(smooth, dt_s, before_to_now);
   tracker::prover proves;
-  if (sights.size() >= 2)
+  if (can_prove)
     proves = [this](const track& who) {
       const auto still = reach_at(who.filter.place());
       return still && proof.has_moved(who, *still);
     };
-  tracks.step(found.blobs, dt_s, moved_by.before_to_now, now.size(), proves);
+  tracks.step({background_blobs.blobs, difference.blobs, slow_difference.blobs}, clutter, dt_s, before_to_now,
+              now.size(), proves);
   mark_parallax();
   figures.tracks = static_cast<int>(tracks.tracks().size());
   figures.coasting =
       static_cast<int>(std::ranges::count_if(tracks.tracks(), [](const track& t) { return t.missed > 0; }));
-  if (++pictures < pictures_to_start)
+  ++pictures;
+  if (!change.is_ready())
     return unusable::starting;
-  if (found.changed_share > settings.max_changed_share || tracks.is_full())
+  if (figures.changed_share > settings.max_changed_share)
     return unusable::too_many_movers;
   return unusable::none;
 }
@@ -239,6 +279,8 @@ std::optional<unsaid_reason> detector::parts::why_unsaid(const track& who, const
     return unsaid_reason::young;
   if (who.missed > most_coasting)
     return unsaid_reason::lost;
+  if (who.is_double)
+    return unsaid_reason::part;
   if (is_parallax(who))
     return unsaid_reason::high;
   if (std::max(box.width_px, box.height_px) < settings.min_size_px)
@@ -248,7 +290,7 @@ std::optional<unsaid_reason> detector::parts::why_unsaid(const track& who, const
 
 void detector::parts::say(verdict& said) const {
   for (const auto& each : tracks.tracks()) {
-    const cv::Rect2d reduced_box = box_of(each);
+    const cv::Rect2d reduced_box = extent_of(each);
     const pixel_box box{reduced_box.x * reduction, reduced_box.y * reduction, reduced_box.width * reduction,
                         reduced_box.height * reduction};
     if (const auto why = why_unsaid(each, box)) {

@@ -4,9 +4,9 @@
 // (tracks that were seen in several pictures, so that a flicker is none), or why nothing can be said. Without a pose
 // there are no places on the ground and no prediction of the camera's motion, and all else works.
 //
-// How: features tracked on a reduced picture, homography by RANSAC, difference against earlier pictures and a
-// background model laid over the new one, blobs, a filter and an association of its own. The parts are files of this
-// folder.
+// How: features tracked on a reduced picture, homography by MAGSAC, a background model, and where that
+// is cluttered the difference against two earlier pictures; blobs, a filter and an association of its own. The parts
+// are files of this folder.
 //
 // Errors: what a picture or a pose can have wrong is a reason in the verdict, never an exception. Settings are checked
 // with `problem_of` before a detector is made; a detector of settings that have a problem ends the process (a broken
@@ -92,6 +92,7 @@ inline constexpr int unusable_count = static_cast<int>(unusable::no_homography) 
 enum class unsaid_reason {
   young, // not seen often enough, or it has not gone far and straight enough
   lost,  // not seen for some pictures
+  part,  // another track follows the same thing, and more of it
   high,  // it goes as something high and still would when the camera passes it
   small
 };
@@ -129,7 +130,7 @@ struct detector_settings {
   int working_width_px = 640;              // pictures are reduced by a whole number until they are no wider
   int frames_to_confirm = 5;               // a track is a candidate when it was seen this often
   double min_size_px = 6;                  // of the longer side, in pixels of the picture; smaller ones are left out
-  int max_tracks = 64;                     // more at once: too_many_movers
+  int max_tracks = 64;                     // more at once: the weakest are dropped
   double max_off_nadir_deg = 70;
   double min_height_m = 8;         // below: too_low
   double max_changed_share = 0.35; // above: too_many_movers

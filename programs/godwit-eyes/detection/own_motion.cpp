@@ -15,17 +15,22 @@ constexpr int columns = 20; // of the grid in which features are chosen, so that
 constexpr int rows = 12;
 constexpr std::size_t most_a_cell = 2;
 constexpr int levels = 3;
+constexpr int most_failures = 2; // pictures in turn that do not fit the one before
 const cv::Size window(15, 15);
 constexpr int fast_threshold = 14;
 constexpr int lowest_fast_threshold = 5;
 constexpr std::size_t enough_corners = 160;
-constexpr int fewest_features = 40;
-constexpr double inlier_px = 0.8;
-constexpr double least_inlier_share = 0.5;
-constexpr double most_residual_px = 0.45;
-constexpr double least_spread = 0.25; // share of the grid's cells with an inlier
-constexpr int ransac_rounds = 400;
-constexpr double ransac_confidence = 0.999;
+constexpr std::size_t fewest_corners = 80; // below, those that are weak, but stand out of what is around them
+constexpr int most_weak_corners = 240;
+constexpr double least_quality = 0.02; // of the best one
+constexpr double weak_apart_px = 8;
+constexpr int fewest_features = 12;
+constexpr double inlier_px = 1.0;
+constexpr double least_inlier_share = 0.25; // unrelated pictures agree in less
+constexpr int fewest_inliers = 10;
+constexpr double least_spread = 0.15; // share of the grid's cells with an inlier, for a homography
+constexpr int consensus_rounds = 400;
+constexpr double consensus_confidence = 0.999;
 
 std::vector<cv::Point2f> chosen(std::vector<cv::KeyPoint>& found, const cv::Size& size) {
   std::ranges::sort(found, [](const auto& a, const auto& b) {
@@ -50,6 +55,8 @@ std::vector<cv::Point2f> corners_of(const cv::Mat& picture) {
     cv::FAST(picture, found, lowest_fast_threshold);
     corners = chosen(found, picture.size());
   }
+  if (corners.size() < fewest_corners)
+    cv::goodFeaturesToTrack(picture, corners, most_weak_corners, least_quality, weak_apart_px);
   return corners;
 }
 
@@ -90,8 +97,15 @@ motion_found fitted(const pairs& of, const cv::Size& size) {
     return found;
   }
   cv::Mat is_inlier;
-  const cv::Mat way =
-      cv::findHomography(of.from, of.to, cv::RANSAC, inlier_px, is_inlier, ransac_rounds, ransac_confidence);
+  cv::Mat way =
+      cv::findHomography(of.from, of.to, cv::USAC_MAGSAC, inlier_px, is_inlier, consensus_rounds, consensus_confidence);
+  // Points in one corner tell nothing of how the others are tilted: then turn, size and shift alone.
+  if (way.empty() || !is_spread(of.to, is_inlier, size)) {
+    way = cv::estimateAffinePartial2D(of.from, of.to, is_inlier, cv::RANSAC, inlier_px, consensus_rounds,
+                                      consensus_confidence);
+    if (!way.empty())
+      way.push_back(cv::Mat(cv::Matx13d(0, 0, 1)));
+  }
   if (way.empty()) {
     found.why = unusable::no_homography;
     return found;
@@ -99,9 +113,7 @@ motion_found fitted(const pairs& of, const cv::Size& size) {
   found.before_to_now = cv::Matx33d(way);
   found.inliers = cv::countNonZero(is_inlier);
   found.residual_px = median_residual(of, is_inlier, found.before_to_now);
-  if (found.inliers < least_inlier_share * found.features)
-    found.why = unusable::too_many_movers;
-  else if (found.residual_px > most_residual_px || !is_spread(of.to, is_inlier, size))
+  if (found.inliers < std::max(static_cast<double>(fewest_inliers), least_inlier_share * found.features))
     found.why = unusable::no_homography;
   return found;
 }
@@ -130,9 +142,12 @@ motion_found own_motion::step(const cv::Mat& now, const std::optional<cv::Matx33
         kept.to.push_back(to[n]);
       }
     found = fitted(kept, now.size());
+    if (found.why != unusable::none && ++failures_ <= most_failures)
+      return found; // the next picture is compared with the same one
   } else if (!pyramid_.empty() && corners_.empty()) {
     found.why = unusable::few_features;
   }
+  failures_ = 0;
   pyramid_ = std::move(pyramid);
   before_ = now;
   corners_ = corners_of(now);
@@ -143,6 +158,7 @@ void own_motion::forget() {
   pyramid_.clear();
   corners_.clear();
   before_.release();
+  failures_ = 0;
 }
 
 cv::Point2d moved(const cv::Matx33d& by, const cv::Point2d& from) {

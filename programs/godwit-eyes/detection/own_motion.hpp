@@ -16,7 +16,7 @@
 namespace godwit::eyes {
 
 struct motion_found {
-  unusable why = unusable::none; // few_features, too_many_movers, no_homography
+  unusable why = unusable::none; // few_features, no_homography
   cv::Matx33d before_to_now = cv::Matx33d::eye();
   int features = 0;
   int inliers = 0;
@@ -26,13 +26,16 @@ struct motion_found {
 class own_motion {
 public:
   // The first picture, or one after `forget`: no_homography.
+  // One that fails leaves the picture before in place for the next, twice: a blow or a spoilt picture is passed over.
   [[nodiscard]] motion_found step(const cv::Mat& now, const std::optional<cv::Matx33d>& guess);
   void forget();
+  [[nodiscard]] bool is_waiting() const { return failures_ > 0; }
 
 private:
   std::vector<cv::Mat> pyramid_; // of the picture before
   cv::Mat before_;
   std::vector<cv::Point2f> corners_; // of the picture before
+  int failures_ = 0;
 };
 
 // Where a point goes; W is taken as positive.

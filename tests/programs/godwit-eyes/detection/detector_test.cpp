@@ -80,7 +80,8 @@ TEST(detector, finds_most_movers_on_a_plane_with_and_without_a_pose) {
   const suite_case flight(sim::camera::tuning_seed(6), tier::a, of_size(1280, 720));
   for (const bool has_pose : {true, false}) {
     const auto outcome = fly(flight, 60, has_pose);
-    EXPECT_GT(outcome.result.f1(), 0.85) << (has_pose ? "with" : "without") << " a pose";
+    // Without a pose nothing can be proved: what is new must show itself for longer.
+    EXPECT_GT(outcome.result.f1(), has_pose ? 0.85 : 0.8) << (has_pose ? "with" : "without") << " a pose";
   }
 }
 

@@ -51,6 +51,20 @@ TEST(own_motion, a_picture_of_another_place_has_no_homography) {
   EXPECT_NE(found.why, unusable::none);
 }
 
+TEST(own_motion, one_spoilt_picture_is_passed_over) {
+  sim::camera::suite_options options;
+  options.width = 640;
+  options.height = 360;
+  const suite_case flight(sim::camera::tuning_seed(3), sim::camera::tier::a, options);
+  own_motion motion;
+  static_cast<void>(motion.step(mat_of(flight.frame(0).seen), std::nullopt));
+  const auto other = suite_case(1, sim::camera::tier::a, options).frame(0);
+  EXPECT_NE(motion.step(mat_of(other.seen), std::nullopt).why, unusable::none);
+  EXPECT_TRUE(motion.is_waiting());
+  EXPECT_EQ(motion.step(mat_of(flight.frame(1).seen), std::nullopt).why, unusable::none);
+  EXPECT_FALSE(motion.is_waiting());
+}
+
 TEST(picture_check, is_reduced_by_whole_numbers_until_it_is_no_wider) {
   EXPECT_EQ(reduction_for(640, 640), 1);
   EXPECT_EQ(reduction_for(641, 640), 2);

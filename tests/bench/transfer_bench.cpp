@@ -19,6 +19,7 @@ constexpr int seeds = 200;
 void show(benchmark::State& bench, const upload_figures& measured) {
   bench.counters["median_s"] = measured.median_s;
   bench.counters["worst_s"] = measured.worst_s;
+  bench.counters["sent_ratio"] = measured.sent_ratio;
   bench.counters["failures"] = measured.failures;
   bench.counters["untruthful"] = measured.untruthful;
 }

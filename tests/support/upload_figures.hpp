@@ -41,6 +41,7 @@ struct upload_figures {
   double median_s = 0;
   double worst_s = 0;
   double median_bytes = 0; // both ways
+  double sent_ratio = 0;   // items sent, of those in the plan, mean
   int failures = 0;        // not accepted
   int untruthful = 0;      // what is said and what the vehicle holds do not agree
 };
@@ -51,6 +52,7 @@ struct upload_figures {
   upload_figures result;
   std::vector<double> seconds;
   std::vector<double> bytes;
+  std::uint64_t sent = 0;
   for (int seed = 1; seed <= seeds; ++seed) {
     transfer_world world(peer.autopilot_quirks, peer.profile, line, static_cast<std::uint64_t>(seed));
     const auto plan = mission_of(items, static_cast<std::uint64_t>(seed));
@@ -59,12 +61,14 @@ struct upload_figures {
     result.failures += is_accepted ? 0 : 1;
     result.untruthful += is_accepted == holds(world.vehicle(), plan) ? 0 : 1;
     seconds.push_back(static_cast<double>(outcome.duration_ns) * 1e-9);
+    sent += outcome.effort.items_sent;
     bytes.push_back(static_cast<double>(world.ours().line.bytes()));
   }
   std::sort(seconds.begin(), seconds.end());
   std::sort(bytes.begin(), bytes.end());
   result.median_s = seconds[seconds.size() / 2];
   result.worst_s = seconds.back();
+  result.sent_ratio = static_cast<double>(sent) / (static_cast<double>(items) * seeds);
   result.median_bytes = bytes[bytes.size() / 2];
   return result;
 }

@@ -4,7 +4,8 @@
 //   it has been full, and is not now             one more in each round trip
 //   1 to 2 items wait somewhere: it is full      stay
 //   more than that                               one less in each round trip
-//   something was lost                           half
+//   something was lost                           at most 1.8 times the items that come through between two losses;
+//                                                half, if the line has been full
 //
 // What waits is estimated from the round trip, as TCP Vegas does: with W items under way and a round trip of R where S
 // was the shortest, W * (1 - S / R) of them stand in a queue. So a fast line is filled within three or four round
@@ -34,11 +35,20 @@ public:
   void on_progress(int items, std::int64_t round_trip_ns, bool is_certain);
   void on_loss();
 
+  // The line, or the vehicle, has been seen to be the bottleneck.
+  // Something was lost of late.
+  [[nodiscard]] bool is_lossy() const { return lost_ > 0; }
+  [[nodiscard]] bool is_fillable() const { return is_fillable_; }
+
 private:
   [[nodiscard]] double waiting(std::int64_t round_trip_ns) const;
 
+  [[nodiscard]] int largest() const;
+
   int size_;
   int max_;
+  double taken_in_all_ = 0;  // of late
+  double lost_ = 0;          // in the same time
   int taken_ = 0;            // since the size was last changed by one
   bool is_fillable_ = false; // the line, or the vehicle, has been seen to be the bottleneck
   std::int64_t shortest_ns_ = 0;

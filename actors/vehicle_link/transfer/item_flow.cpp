@@ -4,6 +4,13 @@
 
 namespace godwit::vehicle_link::transfer {
 
+namespace {
+
+// So many in a row are nothing unusual where a fifth is lost; more say that the line may have become slower.
+constexpr int usual_silences = 2;
+
+} // namespace
+
 item_flow::item_flow(int count, const peer_profile& peer, round_trip& line)
     : count_(count), line_(line), window_(peer.first_window, peer.max_window),
       sendings_(static_cast<std::size_t>(count)) {}
@@ -21,6 +28,8 @@ void item_flow::restart() {
 std::optional<int> item_flow::take_sendable(std::int64_t now_ns) {
   if (next_ >= std::min(count_, std::max(wanted_ + window_.size(), probe_until_)))
     return std::nullopt;
+  if (awaits_answers())
+    return std::nullopt;
   auto& item = sendings_[static_cast<std::size_t>(next_)];
   item.before_ns = item.last_ns;
   item.last_ns = now_ns;
@@ -32,6 +41,15 @@ std::optional<int> item_flow::take_sendable(std::int64_t now_ns) {
     all_sent_ns_ = now_ns;
   sent_until_ = std::max(sent_until_, next_ + 1);
   return next_++;
+}
+
+// What was sent together is answered together. On a line that loses much it is not known yet whether the vehicle has
+// what is still open; what is sent on top of a lost item is dropped.
+bool item_flow::awaits_answers() const {
+  if (!window_.is_lossy() || window_.is_fillable() || wanted_ == 0 || next_ <= wanted_ || next_ < probe_until_)
+    return false;
+  const auto answered_ns = sendings_[static_cast<std::size_t>(wanted_ - 1)].last_ns;
+  return sendings_[static_cast<std::size_t>(wanted_)].last_ns <= answered_ns;
 }
 
 bool item_flow::on_request(int k, std::int64_t now_ns) {
@@ -94,7 +112,7 @@ void item_flow::on_silence(std::int64_t now_ns) {
   older_request_.reset();
   ++silences_;
   if (line_.is_certain())
-    ++lengthening_;
+    lengthening_ += silences_ > usual_silences ? 1 : 0;
   else
     line_.on_silence();
   window_.on_loss();
@@ -112,7 +130,8 @@ void item_flow::go_back(std::int64_t now_ns) {
 
 std::int64_t item_flow::due_ns() const {
   const auto sent_ns = sendings_[static_cast<std::size_t>(wanted_)].last_ns;
-  return std::max(sent_ns + wait_ns(), requests_.runs_until_ns());
+  const auto pause_ns = window_.is_fillable() ? line_.timeout_ns() : round_trip::min_margin_ns;
+  return std::max(sent_ns + wait_ns(), requests_.runs_until_ns(pause_ns));
 }
 
 std::int64_t item_flow::wait_ns() const { return lengthened(line_.timeout_ns(), lengthening_, max_wait_ns); }

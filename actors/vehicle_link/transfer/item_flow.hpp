@@ -9,9 +9,10 @@
 // arrives. An item that was lost makes the vehicle drop all that come behind it (PX4 silently, ArduPilot with
 // INVALID_SEQUENCE for each), and no request goes beyond it. That shows as silence: item k is overdue when no request
 // has come for a usual round trip since it was sent, nor since the last progress for longer than requests usually lie
-// apart. Then all from k on is sent again, in a window of half the size, which is at least the item that is asked for
-// and the next. Repeated silence makes the waits longer, by half each time, up to the period in which the vehicle asks
-// again by itself.
+// apart. Then all from k on is sent again, in a window that fits the measured loss and is at least the item that is
+// asked for and the next. On a line that loses much, what was sent together is answered together before more follows:
+// PX4 says nothing of what comes after a gap, so each item sent there is wasted. The third silence in a row and each
+// further one makes the waits longer by half, up to the period in which the vehicle asks again by itself.
 //
 // With a window of 1 this is the request by request exchange of the MAVLink text, with a resend on its own round trip.
 // Thread: one at a time.
@@ -76,6 +77,7 @@ private:
     int times = 0;
   };
 
+  [[nodiscard]] bool awaits_answers() const;
   [[nodiscard]] std::int64_t wait_ns() const;
   void go_back_if_lost(std::int64_t now_ns);
   bool take_sample(const sending& answered, std::int64_t now_ns);

@@ -28,9 +28,11 @@ public:
   // Answers had stopped: the next interval says nothing.
   void on_stall(std::int64_t now_ns) { stalled_ns_ = now_ns; }
 
-  // Until then the answers may still be coming.
-  [[nodiscard]] std::int64_t runs_until_ns() const {
-    return is_running_ ? last_ns_ + std::max(round_trip::min_margin_ns, intervals_without_answer * interval_ns_) : 0;
+  // Until then the answers may still be coming; AT_MOST_NS after the last one. Where no queue is worked off that is
+  // little: then an answer takes its round trip, however far apart the bursts lie.
+  [[nodiscard]] std::int64_t runs_until_ns(std::int64_t at_most_ns) const {
+    const auto pause_ns = std::max(round_trip::min_margin_ns, intervals_without_answer * interval_ns_);
+    return is_running_ ? last_ns_ + std::min(pause_ns, at_most_ns) : 0;
   }
 
 private:

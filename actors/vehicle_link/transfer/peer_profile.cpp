@@ -7,7 +7,7 @@ namespace {
 // Enough that an ArduPilot with turns of 2.5 ms is kept busy for the first round trip of a usual radio, and little
 // enough that on a slow line it is not more than a tenth of a second.
 constexpr int first_ahead = 10;
-constexpr int most_ahead = 32;
+constexpr int most_ahead = 48;
 
 // What is added to the time after which a vehicle was seen to give up: its last message may have been lost.
 constexpr std::int64_t margin_ns = 500 * ns_per_ms;
@@ -19,6 +19,7 @@ peer_profile px4() {
   result.max_window = most_ahead;
   result.is_atomic = true;
   result.keeps_plan_ids = true;
+  result.acknowledges_last_again = true;
   result.patience_ns = 5'000 * ns_per_ms + margin_ns;
   return result;
 }

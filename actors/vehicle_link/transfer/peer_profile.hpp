@@ -5,8 +5,8 @@
 //
 // | Peer      | ahead | first items with COUNT | asks again | gives up              | old plan until done | cancel  |
 // |-----------|-------|------------------------|------------|-----------------------|---------------------|---------|
-// | PX4       | 32    | no                     | 0.26 s     | 5 s, silently         | yes                 | obeyed  |
-// | ArduPilot | 32    | yes                    | 1 s        | 8 s, ACK CANCELLED    | no                  | ignored |
+// | PX4       | 48    | no                     | 0.26 s     | 5 s, silently         | yes                 | obeyed  |
+// | ArduPilot | 48    | yes                    | 1 s        | 8 s, ACK CANCELLED    | no                  | ignored |
 // | unknown   | 1     | no                     | -          | taken for 8 s         | not relied on       | obeyed  |
 //
 // Thread: values.
@@ -32,7 +32,7 @@ inline constexpr int min_tries = 8;
 struct peer_profile {
   mavlink::mav_autopilot autopilot = mavlink::mav_autopilot::generic;
 
-  // Items may be sent ahead of their requests: so many at first, and so many at most. 32 items are 1.6 kB, which the
+  // Items may be sent ahead of their requests: so many at first, and so many at most. 48 items are 2.4 kB, which the
   // receive buffers of flight controllers hold.
   int first_window = 1;
   int max_window = 1;
@@ -59,6 +59,9 @@ struct peer_profile {
 
   // MISSION_ACK(ERROR) does not mean that a transfer has ended; it also comes to a last item that was sent twice.
   bool error_is_warning = false;
+
+  // The last item, sent again after all was taken, is acknowledged again as accepted.
+  bool acknowledges_last_again = false;
 
   // The vehicle has given up by itself when it was out of touch for so long. To give up earlier would be to fail where
   // the vehicle still waits; to restart earlier would be to disturb it.

@@ -119,7 +119,7 @@ std::int64_t plan_reader::next_deadline_ns() const {
   if (state_ == state::listing)
     return list_asked_ns_ + wait_ns;
   const auto asked_ns = askings_[static_cast<std::size_t>(missing_)].last_ns;
-  return std::min(std::max(asked_ns + wait_ns, answers_.runs_until_ns()), gives_up_ns());
+  return std::min(std::max(asked_ns + wait_ns, answers_.runs_until_ns(line_.timeout_ns())), gives_up_ns());
 }
 
 void plan_reader::begin_listing(step& out, std::int64_t now_ns) {

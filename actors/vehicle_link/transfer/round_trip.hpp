@@ -24,7 +24,7 @@ public:
   // itself, which must not be taken for an answer.
   static constexpr std::int64_t first_timeout_ns = 200'000'000;
   // What is added to the round trip at least: a scheduler's and a main loop's delay.
-  static constexpr std::int64_t min_margin_ns = 10'000'000;
+  static constexpr std::int64_t min_margin_ns = 4'000'000;
   static constexpr std::int64_t max_timeout_ns = 1'500'000'000;
   static constexpr int outliers_believed = 3; // in a row
 

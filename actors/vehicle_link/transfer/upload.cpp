@@ -14,6 +14,9 @@ using mavlink::mav_mission_result;
 using mavlink::number;
 
 constexpr std::int64_t max_wait_ns = 1'000 * ns_per_ms;
+// Where no items follow the announcement it may come twice: PX4 asks for item 0 again. Items that are sent after the
+// second one come after it, too.
+constexpr std::int64_t repeats_count_ns = 100 * ns_per_ms;
 // A vehicle that said it was busy is not asked again sooner.
 constexpr std::int64_t min_busy_wait_ns = 250 * ns_per_ms;
 // The vehicle answered with errors, and there was no progress for so many waits: it is not in a transfer any more.
@@ -99,9 +102,10 @@ void upload::on_request(step& out, std::uint16_t item, std::int64_t now_ns) {
 void upload::on_request_announcing(step& out, int item, std::int64_t now_ns) {
   if (announcements_ == 0 || line_.is_too_soon(now_ns - first_announced_ns_))
     return; // of an earlier transfer
-  // No sample of the line: where an earlier transfer is open, it may be the vehicle asking again.
   if (item != 0)
     return;
+  // No certain sample of the line: where an earlier transfer is open, it may be the vehicle asking again.
+  line_.ambiguous_sample(now_ns - announced_ns_, std::nullopt);
   phase_ = phase::sending;
   has_begun_ = true;
   progress_ns_ = now_ns;
@@ -207,7 +211,8 @@ void upload::on_ack_sending(step& out, const mavlink::mission_ack& m, std::int64
 void upload::on_error_sending(step& out, std::int64_t now_ns) {
   ++errors_;
   ++effort_.warnings;
-  if (flow_.is_all_sent() && flow_.silences() > 0)
+  const int silences_needed = peer_.acknowledges_last_again ? silences_before_resolving(peer_) : 1;
+  if (flow_.is_all_sent() && flow_.silences() >= silences_needed)
     resolve(out, plan_reader::depth::items, now_ns);
 }
 
@@ -349,7 +354,7 @@ void upload::on_time(step& out, std::int64_t now_ns) {
     const bool is_over = errors_ > 0 && flow_.silences() >= silences_after_error;
     if (is_over && !flow_.is_all_sent())
       restart_or(out, refused(number(mav_mission_result::error)), now_ns);
-    else if (flow_.is_all_sent() && flow_.silences() >= silences_before_resolving)
+    else if (flow_.is_all_sent() && flow_.silences() >= silences_before_resolving(peer_))
       resolve(out, plan_reader::depth::items, now_ns);
     else
       send_items(out, now_ns);
@@ -389,7 +394,8 @@ std::int64_t upload::gives_up_ns() const {
 std::int64_t upload::announces_next_ns() const {
   if (announcements_ == 0)
     return not_before_ns_;
-  const auto wait_ns = lengthened(line_.timeout_ns(), announcements_ - 1, max_wait_ns);
+  const auto first_ns = peer_.items_follow_count ? line_.timeout_ns() : std::min(line_.timeout_ns(), repeats_count_ns);
+  const auto wait_ns = lengthened(first_ns, announcements_ - 1, max_wait_ns);
   return announced_ns_ + (busy_ ? std::max(wait_ns, min_busy_wait_ns) : wait_ns);
 }
 

@@ -47,8 +47,11 @@ namespace godwit::vehicle_link::transfer {
 // A vehicle that restarts in the middle of a transfer needs one; each costs at most its patience twice.
 inline constexpr int max_restarts = 3;
 
-// All has been sent, and so many times there was no answer: the vehicle is asked what it holds.
-inline constexpr int silences_before_resolving = 3;
+// All has been sent, and so many times there was no answer: the vehicle is asked what it holds. One that acknowledges
+// the last item again is asked by that, which costs a round trip; reading a thousand items back costs a minute.
+[[nodiscard]] constexpr int silences_before_resolving(const peer_profile& peer) {
+  return peer.acknowledges_last_again ? 10 : 3;
+}
 
 // A vehicle that answers without ever getting further is left after so many times its patience.
 inline constexpr int patience_without_progress = 3;

@@ -27,10 +27,29 @@ TEST(go_ahead_window, never_exceeds_its_bound) {
   EXPECT_EQ(window.size(), 32);
 }
 
-TEST(go_ahead_window, is_halved_by_a_loss_down_to_the_wanted_item_and_the_next) {
+TEST(go_ahead_window, is_halved_by_a_loss_on_a_line_that_was_full) {
   go_ahead_window window(16, 32);
+  for (int i = 0; i < 8; ++i)
+    window.on_progress(1, (30 + i * 10) * ms, true);
+  const auto before = window.size();
   window.on_loss();
-  EXPECT_EQ(window.size(), 8);
+  EXPECT_EQ(window.size(), before / 2);
+}
+
+// A loss of each tenth item: bursts of 18 lose little and come through soon.
+TEST(go_ahead_window, stays_near_the_items_between_two_losses_on_a_line_that_was_never_full) {
+  go_ahead_window window(10, 48);
+  for (int i = 0; i < 100; ++i) {
+    for (int k = 0; k < 10; ++k)
+      window.on_progress(1, 30 * ms, true);
+    window.on_loss();
+  }
+  EXPECT_GE(window.size(), 16);
+  EXPECT_LE(window.size(), 20);
+}
+
+TEST(go_ahead_window, after_many_losses_holds_the_wanted_item_and_the_next) {
+  go_ahead_window window(16, 32);
   for (int i = 0; i < 10; ++i)
     window.on_loss();
   EXPECT_EQ(window.size(), go_ahead_window::min_after_loss);

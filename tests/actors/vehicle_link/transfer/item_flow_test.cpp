@@ -49,15 +49,31 @@ TEST_F(item_flow_test, without_permission_to_go_ahead_sends_only_what_is_asked_f
   EXPECT_EQ(sent_at(flow, 31 * ms), std::vector{1});
 }
 
-TEST_F(item_flow_test, after_silence_sends_the_wanted_item_and_what_follows_in_half_the_window) {
+TEST_F(item_flow_test, after_silence_sends_the_wanted_item_and_what_follows_in_the_window) {
   item_flow flow(100, ahead(4), line);
   (void)sent_at(flow, ms);
   flow.on_request(1, 31 * ms);
   (void)sent_at(flow, 31 * ms);
   EXPECT_GT(flow.due_ns(), 31 * ms);
   flow.on_silence(flow.due_ns());
-  EXPECT_EQ(sent_at(flow, flow.due_ns()), (std::vector{1, 2}));
-  EXPECT_EQ(flow.resends(), 2U);
+  EXPECT_EQ(sent_at(flow, flow.due_ns()), (std::vector{1, 2, 3, 4, 5}));
+  EXPECT_EQ(flow.resends(), 5U);
+}
+
+TEST_F(item_flow_test, on_a_lossy_line_nothing_is_sent_on_top_of_what_may_be_lost) {
+  item_flow flow(100, ahead(4), line);
+  (void)sent_at(flow, ms);
+  flow.on_request(1, 31 * ms);
+  (void)sent_at(flow, 31 * ms);
+  const auto again_ns = flow.due_ns();
+  flow.on_silence(again_ns);
+  const auto burst = sent_at(flow, again_ns);
+  ASSERT_GT(burst.size(), 2U);
+  const auto answered_ns = again_ns + 30 * ms;
+  flow.on_request(2, answered_ns);
+  EXPECT_TRUE(sent_at(flow, answered_ns).empty()) << "the rest of the burst is answered now, too, or lost";
+  flow.on_request(burst.back() + 1, answered_ns);
+  EXPECT_FALSE(sent_at(flow, answered_ns).empty());
 }
 
 TEST_F(item_flow_test, the_waits_of_repeated_silence_grow_up_to_a_bound) {

@@ -8,14 +8,24 @@ namespace pace_test {
 
 using godwit::tests::ms;
 
-TEST(pace, before_the_first_answer_nothing_runs) { EXPECT_EQ(pace().runs_until_ns(), 0); }
+constexpr std::int64_t no_limit_ns = 1'000'000 * ms;
+
+TEST(pace, before_the_first_answer_nothing_runs) { EXPECT_EQ(pace().runs_until_ns(no_limit_ns), 0); }
 
 TEST(pace, answers_may_come_for_three_times_their_usual_interval) {
   pace answers;
   std::int64_t now = 0;
   for (int i = 0; i < 100; ++i)
     answers.on_answers(1, now += 20 * ms);
-  EXPECT_NEAR(static_cast<double>(answers.runs_until_ns() - now), 60e6, 2e6);
+  EXPECT_NEAR(static_cast<double>(answers.runs_until_ns(no_limit_ns) - now), 60e6, 2e6);
+}
+
+TEST(pace, answers_are_waited_for_no_longer_than_the_limit) {
+  pace answers;
+  std::int64_t now = 0;
+  for (int i = 0; i < 100; ++i)
+    answers.on_answers(1, now += 20 * ms);
+  EXPECT_EQ(answers.runs_until_ns(5 * ms), now + 5 * ms);
 }
 
 TEST(pace, several_answers_at_once_are_several_intervals) {
@@ -23,7 +33,7 @@ TEST(pace, several_answers_at_once_are_several_intervals) {
   std::int64_t now = 0;
   for (int i = 0; i < 100; ++i)
     answers.on_answers(4, now += 80 * ms);
-  EXPECT_NEAR(static_cast<double>(answers.runs_until_ns() - now), 60e6, 2e6);
+  EXPECT_NEAR(static_cast<double>(answers.runs_until_ns(no_limit_ns) - now), 60e6, 2e6);
 }
 
 TEST(pace, a_pause_after_a_stall_is_not_an_interval) {
@@ -33,7 +43,7 @@ TEST(pace, a_pause_after_a_stall_is_not_an_interval) {
     answers.on_answers(1, now += 5 * ms);
   answers.on_stall(now + 100 * ms);
   answers.on_answers(1, now += 10'000 * ms);
-  EXPECT_LT(answers.runs_until_ns() - now, 20 * ms);
+  EXPECT_LT(answers.runs_until_ns(no_limit_ns) - now, 20 * ms);
 }
 
 TEST(lengthened, grows_by_half_up_to_its_limit) {

@@ -10,6 +10,9 @@ namespace upload_figures_test {
 
 constexpr int seeds = 200;
 
+// Items sent, of those in the plan. At 20 % each item costs 1.25 sendings; what was sent after a lost one is the rest.
+constexpr double most_sent = 3;
+
 struct promise {
   double loss;
   double at_most_s; // median
@@ -21,17 +24,18 @@ void holds_promise(const upload_peer& peer, const promise& each, int items, int 
                                       std::to_string(static_cast<int>(each.loss * 100)) + "_ms",
                                   static_cast<int>(measured.median_s * 1e3));
   EXPECT_LE(measured.median_s, each.at_most_s) << peer.name << ", loss " << each.loss;
+  EXPECT_LE(measured.sent_ratio, most_sent) << peer.name << ", loss " << each.loss;
   EXPECT_EQ(measured.failures, 0) << peer.name << ", loss " << each.loss;
   EXPECT_EQ(measured.untruthful, 0) << peer.name << ", loss " << each.loss;
 }
 
-TEST(upload_figures, px4_takes_100_items_in_a_quarter_of_a_second_and_in_seconds_at_20_percent_loss) {
-  for (const promise& each : {promise{0, 0.25}, promise{0.05, 0.6}, promise{0.1, 1.2}, promise{0.2, 2.5}})
+TEST(upload_figures, px4_takes_100_items_in_five_round_trips_and_in_one_and_a_half_seconds_at_20_percent_loss) {
+  for (const promise& each : {promise{0, 0.151}, promise{0.05, 0.35}, promise{0.1, 0.7}, promise{0.2, 1.5}})
     holds_promise(px4_peer(), each, 100, seeds);
 }
 
 TEST(upload_figures, copter_takes_100_items_at_one_message_a_turn) {
-  for (const promise& each : {promise{0, 0.3}, promise{0.05, 1.2}, promise{0.1, 2.0}, promise{0.2, 3.5}})
+  for (const promise& each : {promise{0, 0.3}, promise{0.05, 0.95}, promise{0.1, 1.55}, promise{0.2, 3.2}})
     holds_promise(copter_peer(), each, 100, seeds);
 }
 
@@ -39,9 +43,9 @@ TEST(upload_figures, rover_is_kept_busy_in_each_of_its_turns) { holds_promise(ro
 
 TEST(upload_figures, a_thousand_items_take_ten_times_as_long_and_no_more) {
   constexpr int runs = 20;
-  for (const promise& each : {promise{0, 2.5}, promise{0.05, 6}, promise{0.1, 12}, promise{0.2, 25}})
+  for (const promise& each : {promise{0, 0.8}, promise{0.05, 2.5}, promise{0.1, 5}, promise{0.2, 12}})
     holds_promise(px4_peer(), each, 1'000, runs);
-  for (const promise& each : {promise{0, 3}, promise{0.05, 12}, promise{0.1, 20}, promise{0.2, 35}})
+  for (const promise& each : {promise{0, 3}, promise{0.05, 10}, promise{0.1, 15}, promise{0.2, 28}})
     holds_promise(copter_peer(), each, 1'000, runs);
   holds_promise(rover_peer(), {0, 23}, 1'000, runs);
 }

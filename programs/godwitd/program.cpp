@@ -57,7 +57,11 @@ exit_code list_outbox(const json& configuration, bool as_json) {
   return exit_code::ok;
 }
 
-exit_code check_config(const daemon_settings& wanted) {
+exit_code check_config(const json& configuration, const daemon_settings& wanted) {
+  for (const auto& each : doctor::examine_host(configuration)) // they keep it from flying, not from starting
+    if (each.how != doctor::grade::good)
+      say(std::string(io::name_of(each.how)) + ": " + each.subject + ": " + each.sentence + " " + each.remedy);
+
   const auto problems = problems_of(wanted);
   for (const auto& each : problems)
     say(each);
@@ -218,7 +222,8 @@ exit_code run_configured(const invocation& asked, const add_more& more) {
   auto settings = settings_from(*configuration);
   if (!settings)
     return fail(exit_code::usage, settings.error());
-  return asked.what == task::check_config ? check_config(*settings) : run_daemon(*std::move(settings), more);
+  return asked.what == task::check_config ? check_config(*configuration, *settings)
+                                          : run_daemon(*std::move(settings), more);
 }
 
 } // namespace

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
+#include <optional>
 
 #include "io/fields/json_text.hpp"
 #include "programs/common/control_client.hpp"
@@ -42,35 +44,38 @@ void examine_configuration(const json& configuration, findings& to) {
     to.push_back({grade::good, "configuration", "The configuration can be used."});
 }
 
-void examine_line(const json& configuration, std::chrono::seconds patience, findings& to) {
-  const auto& vehicle = configuration.at("vehicle");
-  const auto where = text(vehicle, "uri");
-  if (where.empty())
-    return to.push_back(judge_missing_line(serial_ports()));
+// The line that is configured; none: it is missing or can not be read, as the findings say.
+std::optional<io::link::uri> line_of(const json& configuration, findings& to) {
+  const auto where = text(configuration.at("vehicle"), "uri");
+  if (where.empty()) {
+    to.push_back(judge_missing_line(serial_ports()));
+    return std::nullopt;
+  }
   const auto line = io::link::parse_uri(where);
   if (!line)
-    return to.push_back({grade::problem, "line", "vehicle.uri: " + line.error() + "."});
+    to.push_back({grade::problem, "line", "vehicle.uri: " + line.error() + "."});
+  return line ? std::optional(*line) : std::nullopt;
+}
+
+void examine_line(const io::link::uri& line, const json& configuration, std::chrono::seconds patience, findings& to) {
   if (control::ask_daemon(control_path(configuration), {{"do", "status"}}))
     return to.push_back(
-        {grade::good, "line", "A godwitd runs here and has the line; `godwitd ctl status` shows the vehicle."});
-  if (line->which == io::link::uri::kind::serial) {
-    to.push_back(judge_serial(*line, state_of(line->device), serial_ports()));
-    if (to.back().how == grade::problem)
-      return;
-  }
-  const auto heard = listen_on(*line, patience);
+        {grade::good, "autopilot", "A godwitd runs here and has the line; `godwitd ctl status` shows the vehicle."});
+  if (has_problem(to) && line.which == io::link::uri::kind::serial && !state_of(line.device).may_use)
+    return; // it is among them
+  const auto heard = listen_on(line, patience);
   if (!heard)
     return to.push_back({grade::problem, "line", heard.error() + "."});
+  const auto& vehicle = configuration.at("vehicle");
   std::ranges::move(
-      judge_line(*heard, {*line, vehicle.at("system").get<std::uint8_t>(), !text(vehicle, "key_file").empty()}),
+      judge_line(*heard, {line, vehicle.at("system").get<std::uint8_t>(), !text(vehicle, "key_file").empty()}),
       std::back_inserter(to));
 }
 
 } // namespace
 
-findings examine(const json& configuration, std::chrono::seconds patience) {
+findings examine_host(const json& configuration) {
   findings result;
-  examine_configuration(configuration, result);
   const auto journal = journal_path(configuration);
   const auto folder = std::filesystem::absolute(journal).parent_path().string();
   result.push_back(judge_disk(folder, free_bytes_beside(journal)));
@@ -78,7 +83,19 @@ findings examine(const json& configuration, std::chrono::seconds patience) {
   const auto camera = text(configuration.at("camera"), "uri");
   if (constexpr std::string_view device = "v4l2://"; camera.starts_with(device))
     result.push_back(judge_camera(camera, state_of(camera.substr(device.size()))));
-  examine_line(configuration, patience, result);
+  const auto line = line_of(configuration, result);
+  if (line && line->which == io::link::uri::kind::serial)
+    result.push_back(judge_serial(*line, state_of(line->device), serial_ports()));
+  return result;
+}
+
+findings examine(const json& configuration, std::chrono::seconds patience) {
+  findings result;
+  examine_configuration(configuration, result);
+  std::ranges::move(examine_host(configuration), std::back_inserter(result));
+  findings said_already;
+  if (const auto line = line_of(configuration, said_already))
+    examine_line(*line, configuration, patience, result);
   return result;
 }
 

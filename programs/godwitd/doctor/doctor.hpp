@@ -12,7 +12,9 @@
 
 namespace godwit::daemon::doctor {
 
-// CONFIGURATION: as configuration.hpp gives it.
+// CONFIGURATION: as configuration.hpp gives it. Disk, clock, camera and serial port: what needs no line to be opened.
+[[nodiscard]] findings examine_host(const nlohmann::json& configuration);
+// The configuration, the host, and the line.
 [[nodiscard]] findings examine(const nlohmann::json& configuration, std::chrono::seconds patience);
 // Lines for people.
 [[nodiscard]] std::string text_of(const findings& all);

@@ -35,9 +35,9 @@ public:
   void on_progress(int items, std::int64_t round_trip_ns, bool is_certain);
   void on_loss();
 
-  // The line, or the vehicle, has been seen to be the bottleneck.
   // Something was lost of late.
   [[nodiscard]] bool is_lossy() const { return lost_ > 0; }
+  // The line, or the vehicle, has been seen to be the bottleneck.
   [[nodiscard]] bool is_fillable() const { return is_fillable_; }
 
 private:

@@ -59,8 +59,8 @@ exit_code list_outbox(const json& configuration, bool as_json) {
 
 exit_code check_config(const json& configuration, const daemon_settings& wanted) {
   for (const auto& each : doctor::examine_host(configuration)) // they keep it from flying, not from starting
-    if (each.how != doctor::grade::good)
-      say(std::string(io::name_of(each.how)) + ": " + each.subject + ": " + each.sentence + " " + each.remedy);
+    if (each.how == doctor::grade::problem)
+      say(each.subject + ": " + each.sentence + " " + each.remedy);
 
   const auto problems = problems_of(wanted);
   for (const auto& each : problems)

@@ -22,7 +22,8 @@ effects core::on_mission(const mission_client::mission_loaded& m, instant now) {
   const auto& s = flight_.s;
   const auto& id = m.document.mission_id;
   effects out;
-  flight_.as_it_came = m.document;
+  if (!flight_.configured.has_service) // which gives each new run itself
+    flight_.as_it_came = m.document;
   auto told = s.progress;
   if (m.earlier) {
     const progress::earlier_reports_told earlier{id, m.earlier->last_report_no, m.earlier->last_report};

@@ -27,10 +27,10 @@ std::string new_mission_id(std::uint32_t plan_id, std::int64_t wall_ns) {
   return mission::uuid_of_text("a ground station's plan " + std::to_string(plan_id) + " at " + std::to_string(wall_ns));
 }
 
+item_range whole_plan(const state& s) { return {0, static_cast<std::uint16_t>(s.station->items - 1)}; }
+
 item_range chosen_part(const state& s) {
-  if (s.station->part)
-    return {s.station->part->first, s.station->part->last};
-  return {0, static_cast<std::uint16_t>(s.station->items - 1)};
+  return s.station->part ? item_range{s.station->part->first, s.station->part->last} : whole_plan(s);
 }
 
 std::optional<station_plan_taken> part_of_plan(const state& s, const item_range& wanted, bool takes_off) {

@@ -27,7 +27,10 @@ struct item_range {
   friend bool operator==(const item_range&, const item_range&) = default;
 };
 
-// What is prepared or flown of the station's plan. Needs one.
+// All of the station's plan. Needs one.
+[[nodiscard]] item_range whole_plan(const state& s);
+
+// What is prepared or flown of it. Needs one.
 [[nodiscard]] item_range chosen_part(const state& s);
 
 // The station's plan from WANTED.first to WANTED.last; TAKES_OFF: with the take-off before it. Its ids are those of the

@@ -64,7 +64,7 @@ struct flight_context {
   command_queue wanted;
   // The last mission, revision or assignment that could not be flown, for people; a new incarnation knows of none.
   std::optional<known_mission> refused;
-  // The mission that a file, the page or the service has brought last, before changes; a new incarnation has none.
+  // The mission that a file or the page has brought last, before changes; a new incarnation has none.
   std::optional<mission::document> as_it_came;
   // A revision of the service that was not taken: it has that one, and changes are made to it.
   std::optional<std::pair<std::string, std::int32_t>> refused_revision;
@@ -89,6 +89,9 @@ struct flight_context {
   [[nodiscard]] std::optional<vehicle_link::seen_state> known() const;
   [[nodiscard]] std::string refused_start_sentence() const;
   [[nodiscard]] std::string sentence() const; // how the flight stands, for people
+
+  // A rover: it takes off and lands nowhere.
+  [[nodiscard]] bool drives() const { return view.owner().vehicle == flight::vehicle_class::rover; }
 
   // -- the flight
   [[nodiscard]] bool is_in_flight() const { return s.status.in_flight; }

@@ -30,7 +30,7 @@ bool flight_end::is_down(instant now) const {
   const auto& view = flight_.view;
   if (!view.is_armed())
     return true;
-  if (view.owner().vehicle != flight::vehicle_class::rover)
+  if (!flight_.drives())
     return flight_.is_plan_finished() && flight_.was_up && !view.is_under_way();
   if (view.is_in(mode_kind::returning)) // ArduPilot's rover stays in that mode
     return (flight_.was_called_home() || flight_.is_plan_finished()) && view.stands_at_home(now.now_ns);

@@ -124,7 +124,7 @@ void flight_start::begin_asked(effects& out, const start_mission& asked, instant
     tasks_.answer_start(out, asked.key, start_verdict::disarmed, disarmed);
   else if (const auto sequence = sequence_of(asked); !sequence)
     tasks_.answer_start(out, asked.key, start_verdict::no_such_item, "the vehicle has no such item");
-  else if (asked.first != 0 && flight_.view.owner().vehicle != flight::vehicle_class::rover)
+  else if (asked.first != 0 && !flight_.drives())
     tasks_.answer_start(out, asked.key, start_verdict::no_such_item, "what flies begins with its take-off");
   else if (!disarmed.empty())
     arming_.begin(out, asked, *sequence, now);
@@ -150,8 +150,7 @@ bool flight_start::begin_by_itself(effects& out, instant now) {
   const auto& configured = flight_.configured;
   const bool is_automatic = configured.start == start_policy::automatic;
   const bool waits_for_word = flight_.s.awaits_word && configured.takeoff_again == start_policy::on_command;
-  const bool is_rover = flight_.view.owner().vehicle == flight::vehicle_class::rover;
-  const bool is_held_rover = is_rover && flight_.view.is_in(mode_kind::hold); // nobody drives it
+  const bool is_held_rover = flight_.drives() && flight_.view.is_in(mode_kind::hold); // nobody drives it
   if (is_automatic && flight_.s.awaits_person)
     phases_.go(out, trigger::start_waits,
                "somebody has acted on the vehicle since its plan was brought to it; a person has to start it");

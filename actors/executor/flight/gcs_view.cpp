@@ -236,8 +236,7 @@ std::string gcs_view::why_not_meant(const start_mission& m) {
 bool gcs_view::fly_again(effects& out, const start_mission& m, instant now) {
   if (!is_at_rest(flight_.s.status.now) || flight_.s.arrived)
     return false;
-  const bool takes_off = flight_.view.owner().vehicle != flight::vehicle_class::rover;
-  const auto again = part_of_plan(flight_.s, {m.first, m.last}, takes_off);
+  const auto again = part_of_plan(flight_.s, {m.first, m.last}, !flight_.drives());
   if (again)
     out.emplace_back(note{as_new_mission(*again, now.wall_ns)});
   else

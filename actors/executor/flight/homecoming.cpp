@@ -218,8 +218,7 @@ void homecoming::bring(effects& out, const std::vector<mission::waypoint>& turns
 bool homecoming::stop_at_home(effects& out, instant now) {
   const auto& view = flight_.view;
   const auto generation = flight_.s.progress.last_generation;
-  const bool is_rover = view.owner().vehicle == flight::vehicle_class::rover;
-  if (!is_rover || !flight_.is_in_flight() || !flight_.is_on_way_home() || flight_.has_person() ||
+  if (!flight_.drives() || !flight_.is_in_flight() || !flight_.is_on_way_home() || flight_.has_person() ||
       flight_.runner.is_busy() || flight_.wanted.halt || stopped_in_ == generation)
     return false;
   if (!view.is_in(mode_kind::mission) || !flight_.is_at_end_of_plan() || !view.stands_at_home(now.now_ns))

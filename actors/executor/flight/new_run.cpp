@@ -4,19 +4,9 @@
 
 #include "actors/domain/mission/convert/conversion.hpp"
 #include "actors/executor/station_part.hpp"
+#include "actors/executor/station_plan.hpp"
 
 namespace godwit::executor {
-namespace {
-
-std::optional<station_plan_taken> plan_of_station(const flight_context& flight) {
-  const bool takes_off = flight.view.owner().vehicle != flight::vehicle_class::rover;
-  return flight.s.station
-             ? part_of_plan(flight.s, {0, static_cast<std::uint16_t>(flight.s.station->items - 1)}, takes_off)
-             : std::nullopt;
-}
-
-} // namespace
-
 std::string why_no_new_run(const flight_context& flight) {
   const auto& s = flight.s;
   if (!is_at_rest(s.status.now) || !s.mission || s.arrived)
@@ -26,7 +16,7 @@ std::string why_no_new_run(const flight_context& flight) {
   if (flight.configured.has_service)
     return "mission " + s.mission->mission_id +
            " is over: the missions service has to give it a new revision, or another one";
-  if (!plan_of_station(flight) && !flight.as_it_came)
+  if (uploaded_mission(s) == nullptr && !flight.as_it_came)
     return "mission " + s.mission->mission_id + " is over, and godwit was restarted since it came: hand it over again";
   return {};
 }
@@ -35,8 +25,8 @@ bool begin_new_run(flight_context& flight, effects& out, instant now) {
   if (!std::exchange(flight.wanted.new_run, false) || !why_no_new_run(flight).empty())
     return false;
   std::string id;
-  if (const auto plan = plan_of_station(flight)) {
-    const auto next = as_new_mission(*plan, now.wall_ns);
+  if (uploaded_mission(flight.s) != nullptr) {
+    const auto next = as_new_mission(*part_of_plan(flight.s, whole_plan(flight.s), !flight.drives()), now.wall_ns);
     id = next.mission.mission_id;
     out.emplace_back(note{next});
   } else {

@@ -20,8 +20,6 @@ bool part_choice::is_of_plan(const start_mission& asked) const {
 
 bool part_choice::is_ready() const { return flight_.s.status.now == phase::ready && !flight_.s.arrived; }
 
-bool part_choice::drives() const { return flight_.view.owner().vehicle == flight::vehicle_class::rover; }
-
 bool part_choice::is_had_as_it_is(const start_mission& asked) const {
   if (leaves_end(asked) || !is_of_plan(asked))
     return true;
@@ -59,14 +57,15 @@ bool part_choice::begin(effects& out, start_flight& what, instant now) {
     return false;
   const item_range wanted{asked.first, asked.last};
   const auto has = chosen_part(flight_.s);
-  if (drives() && wanted.last == has.last && wanted.first > has.first)
+  if (flight_.drives() && wanted.last == has.last && wanted.first > has.first)
     return false; // it may begin with any item
-  const auto part = *part_of_plan(flight_.s, wanted, !drives());
+  const auto part = *part_of_plan(flight_.s, wanted, !flight_.drives());
   if (wanted == has || part.mission.items == uploaded_mission(flight_.s)->items) {
     asked.first = 0;
     return false;
   }
-  const bool stands = drives() && !flight_.view.is_moving(); // and no mode in which a plan that comes would move it
+  // And no mode in which a plan that comes would move it.
+  const bool stands = flight_.drives() && !flight_.view.is_moving();
   if (flight_.view.is_armed() && !stands)
     return refuse(out, asked, start_verdict::not_ready,
                   "this part of the plan has to be brought to the vehicle first; disarm it");

@@ -38,7 +38,6 @@ public:
 private:
   [[nodiscard]] bool is_ready() const;
   [[nodiscard]] bool is_of_plan(const start_mission& asked) const;
-  [[nodiscard]] bool drives() const;
   [[nodiscard]] std::string why_not_changed() const;
   void prepare(effects& out, const station_plan_taken& part, start_flight what, instant now);
   bool refuse(effects& out, const start_mission& asked, start_verdict verdict, const std::string& why);

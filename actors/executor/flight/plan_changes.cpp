@@ -79,9 +79,8 @@ std::string plan_changes::why_not_there(const mission::position& to, instant now
   const auto there = plan::point_of(to);
   if (!geo::is_valid(there) || !std::isfinite(to.altitude_m))
     return "the place is none: latitude -90 to 90, longitude -180 to 180, altitude in metres above home";
-  const bool drives = flight_.view.owner().vehicle == flight::vehicle_class::rover;
   const auto highest_m = flight_.configured.limits.max_altitude_m;
-  if (to.altitude_m > highest_m || (!drives && to.altitude_m < lowest_m))
+  if (to.altitude_m > highest_m || (!flight_.drives() && to.altitude_m < lowest_m))
     return "the altitude has to be between " + std::to_string(static_cast<int>(lowest_m)) + " and " +
            std::to_string(static_cast<int>(highest_m)) + " m above home (flight.max_altitude_m)";
   const auto found = flight_.out_of_limits("the place", to, now);

@@ -17,10 +17,8 @@ bool upload_on_ground::begin(effects& out, std::uint32_t plan_id, instant now) {
   if (!flight_.view.is_connected() || flight_.has_person() || flight_.view.is_armed() || !is_brought)
     return false;
   awaited next{plan_id, now.now_ns + judged_after_ns, {}, {}};
-  if (flies_upload(flight_.s)) {
-    const item_range whole{0, static_cast<std::uint16_t>(flight_.s.station->items - 1)};
-    next.before = part_of_plan(flight_.s, whole, flight_.view.owner().vehicle != flight::vehicle_class::rover);
-  }
+  if (flies_upload(flight_.s))
+    next.before = part_of_plan(flight_.s, whole_plan(flight_.s), !flight_.drives());
   awaited_ = std::move(next);
   return true;
 }

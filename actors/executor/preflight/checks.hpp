@@ -137,7 +137,7 @@ inline constexpr std::size_t max_named_items = 8; // as many as anyone reads
 [[nodiscard]] std::string crossing_sentence(const std::vector<plan::return_crossing>& all,
                                             const mission::document& mission);
 
-// Degraded when the battery does not last for the plan and the straight way home behind it, above the level at which
+// Degraded when the battery does not last for the plan and the straight way home after it, above the level at which
 // the failsafe returns; where flights begin by themselves, and nobody could acknowledge it, above the critical level.
 // By the drain of the last flight, or the one that was set. Skipped where neither is known,
 // without a plan, and while the vehicle is not heard.

@@ -29,6 +29,10 @@ struct blobs_found {
 
 inline constexpr std::size_t most_blobs = 200;
 
+[[nodiscard]] inline cv::Point2d middle_of(const cv::Rect2d& box) {
+  return {box.x + box.width / 2, box.y + box.height / 2};
+}
+
 // MASK as background_model gives it; of a difference it has mostly the edges of a thing.
 [[nodiscard]] blobs_found find_blobs(const cv::Mat& mask, blob_source from = blob_source::background);
 

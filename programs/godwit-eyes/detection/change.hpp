@@ -8,9 +8,9 @@
 // that nothing comes late. Memory: the pictures of `longest_s`, at most `most_pictures`. Thread: one.
 #pragma once
 
-#include <deque>
-
 #include <opencv2/core.hpp>
+
+#include "programs/godwit-eyes/detection/past_pictures.hpp"
 
 namespace godwit::eyes {
 
@@ -31,15 +31,10 @@ public:
   [[nodiscard]] cv::Mat find(double gap_s, int least) const;
 
 private:
-  struct past {
-    cv::Mat picture;
-    cv::Matx33d to_now = cv::Matx33d::eye();
-    double age_s = 0;
-  };
-  [[nodiscard]] const past* of_age(double age_s) const;
-  [[nodiscard]] cv::Mat difference_to(const past& from) const;
+  [[nodiscard]] const past_picture* of_age(double age_s) const;
+  [[nodiscard]] cv::Mat difference_to(const past_picture& from) const;
 
-  std::deque<past> pictures_; // the newest at the back
+  past_pictures pictures_;
 };
 
 } // namespace godwit::eyes

@@ -26,12 +26,10 @@ constexpr int longest_missed = 2; // pictures
 constexpr double like_growth = 2.2;
 constexpr double like_slack_px = 2;
 
-cv::Point2d middle(const cv::Rect2d& box) { return {box.x + box.width / 2, box.y + box.height / 2}; }
-
 double length(const cv::Rect2d& box) { return std::max(box.width, box.height) + like_slack_px; }
 
 bool is_like(const cv::Rect2d& a, const cv::Rect2d& b) {
-  return cv::norm(middle(a) - middle(b)) < std::max(length(a), length(b)) / 2 + like_slack_px &&
+  return cv::norm(middle_of(a) - middle_of(b)) < std::max(length(a), length(b)) / 2 + like_slack_px &&
          length(a) < like_growth * length(b) && length(b) < like_growth * length(a);
 }
 
@@ -50,7 +48,7 @@ void clutter_map::step(std::span<const blob> blobs, double dt_s, const cv::Matx3
     births_ = carried;
   }
   for (auto& each : known_) {
-    const cv::Point2d at = moved(ground, middle(each.box));
+    const cv::Point2d at = moved(ground, middle_of(each.box));
     each.box.x = at.x - each.box.width / 2;
     each.box.y = at.y - each.box.height / 2;
     ++each.missed;
@@ -61,7 +59,7 @@ void clutter_map::step(std::span<const blob> blobs, double dt_s, const cv::Matx3
   const double weight = std::pow(dt_s / usual_step_s, flicker_exponent) / clutter_memory_s;
   for (const auto& each : blobs)
     if (!recognize(each.box))
-      births_.at<float>(cell_of(middle(each.box))) += static_cast<float>(weight);
+      births_.at<float>(cell_of(middle_of(each.box))) += static_cast<float>(weight);
   std::erase_if(known_, [](const known_blob& each) { return each.missed > longest_missed; });
 }
 

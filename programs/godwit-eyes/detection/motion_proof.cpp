@@ -46,11 +46,7 @@ struct likeness {
 } // namespace
 
 void motion_proof::add(const cv::Mat& picture, double dt_s, const cv::Matx33d& before_to_now) {
-  for (auto& each : pictures_) {
-    each.to_now = before_to_now * each.to_now;
-    each.age_s += dt_s;
-  }
-  pictures_.push_back({picture, cv::Matx33d::eye(), 0});
+  add_newest(pictures_, picture, dt_s, before_to_now);
   if (pictures_.size() > most_pictures)
     pictures_.pop_front();
 }
@@ -61,7 +57,7 @@ bool motion_proof::has_moved(const track& who, const still_reach& still) const {
       std::ranges::find_if(who.places, [&](const track::place& each) { return who.age - each.age < count; });
   if (first == who.places.end() || who.missed > 0)
     return false;
-  const past& then = pictures_[static_cast<std::size_t>(count - 1 - (who.age - first->age))];
+  const past_picture& then = pictures_[static_cast<std::size_t>(count - 1 - (who.age - first->age))];
   const cv::Mat& now = pictures_.back().picture;
   const cv::Point2d is = middle_of(who.places.back().box);
   const cv::Point2d stood = moved(then.to_now, middle_of(first->box));

@@ -7,10 +7,9 @@
 // reduced picture. Memory: the last `most_pictures` pictures. Thread: one.
 #pragma once
 
-#include <deque>
-
 #include <opencv2/core.hpp>
 
+#include "programs/godwit-eyes/detection/past_pictures.hpp"
 #include "programs/godwit-eyes/detection/tracker.hpp"
 
 namespace godwit::eyes {
@@ -32,12 +31,7 @@ public:
   [[nodiscard]] bool has_moved(const track& who, const still_reach& still) const;
 
 private:
-  struct past {
-    cv::Mat picture;
-    cv::Matx33d to_now = cv::Matx33d::eye();
-    double age_s = 0;
-  };
-  std::deque<past> pictures_; // the newest at the back
+  past_pictures pictures_;
 };
 
 } // namespace godwit::eyes

@@ -117,8 +117,6 @@ cv::Rect2d box_of(const track& who) {
 
 cv::Rect2d extent_of(const track& who) { return who.extent ? *who.extent + who.filter.place() : box_of(who); }
 
-cv::Point2d middle_of(const cv::Rect2d& box) { return {box.x + box.width / 2, box.y + box.height / 2}; }
-
 namespace {
 
 bool is_by_background(const track& who) { return 2 * who.by_background > who.seen; }

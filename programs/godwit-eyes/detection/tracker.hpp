@@ -117,6 +117,5 @@ private:
 
 [[nodiscard]] cv::Rect2d box_of(const track& who);    // by which it is followed
 [[nodiscard]] cv::Rect2d extent_of(const track& who); // all of it
-[[nodiscard]] cv::Point2d middle_of(const cv::Rect2d& box);
 
 } // namespace godwit::eyes

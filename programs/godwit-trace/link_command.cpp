@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "io/mavlink/signing/key_file.hpp"
+#include "programs/common/heartbeat_sender.hpp"
 #include "programs/common/signal_descriptor.hpp"
 #include "programs/godwit-trace/commands.hpp"
-#include "programs/godwit-trace/heartbeat_sender.hpp"
 #include "programs/godwit-trace/identity.hpp"
 #include "programs/godwit-trace/link_session.hpp"
 

@@ -9,9 +9,9 @@
 #include <poll.h>
 
 #include "io/mavlink/frame.hpp"
+#include "programs/common/heartbeat_sender.hpp"
 #include "programs/common/peer_scanners.hpp"
 #include "programs/godwit-trace/chunk_queue.hpp"
-#include "programs/godwit-trace/heartbeat_sender.hpp"
 #include "programs/godwit-trace/link_hints.hpp"
 #include "programs/godwit-trace/signature_check.hpp"
 #include "programs/godwit-trace/tlog_recording.hpp"
@@ -214,7 +214,7 @@ private:
   message_printer printer_;
   link_hints hints_;
   signature_check check_;
-  std::optional<heartbeat_sender> heartbeat_;
+  std::optional<programs::heartbeat_sender> heartbeat_;
   tlog_recording recording_;
   programs::peer_scanners scanner_;
   traffic heard_;

@@ -19,8 +19,7 @@ using runtime::exit_code;
 constexpr const char* about =
     "The onboard daemon: fetches a mission, checks it, uploads it to the autopilot and flies it, follows its progress, "
     "records sightings, and delivers what is pending to the missions service, also after crashes. It starts a flight "
-    "on "
-    "command (`godwitd ctl start`, or a ground station) and arms nothing, unless its settings allow it.";
+    "on command (`godwitd ctl start`, or a ground station) and arms nothing, unless its settings allow it.";
 
 constexpr const char* examples =
     R"(Each option with a value is also an environment variable: --token-file is GODWIT_TOKEN_FILE. The command line

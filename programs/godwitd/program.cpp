@@ -61,7 +61,6 @@ exit_code check_config(const json& configuration, const daemon_settings& wanted)
   for (const auto& each : doctor::examine_host(configuration)) // they keep it from flying, not from starting
     if (each.how == doctor::grade::problem)
       say(each.subject + ": " + each.sentence + " " + each.remedy);
-
   const auto problems = problems_of(wanted);
   for (const auto& each : problems)
     say(each);

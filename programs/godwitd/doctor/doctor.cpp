@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
-#include <optional>
 
 #include "io/fields/json_text.hpp"
 #include "programs/common/control_client.hpp"
@@ -44,31 +43,20 @@ void examine_configuration(const json& configuration, findings& to) {
     to.push_back({grade::good, "configuration", "The configuration can be used."});
 }
 
-// The line that is configured; none: it is missing or can not be read, as the findings say.
-std::optional<io::link::uri> line_of(const json& configuration, findings& to) {
-  const auto where = text(configuration.at("vehicle"), "uri");
-  if (where.empty()) {
-    to.push_back(judge_missing_line(serial_ports()));
-    return std::nullopt;
-  }
-  const auto line = io::link::parse_uri(where);
-  if (!line)
-    to.push_back({grade::problem, "line", "vehicle.uri: " + line.error() + "."});
-  return line ? std::optional(*line) : std::nullopt;
-}
-
-void examine_line(const io::link::uri& line, const json& configuration, std::chrono::seconds patience, findings& to) {
+void examine_line(const json& configuration, std::chrono::seconds patience, findings& to) {
+  const auto& vehicle = configuration.at("vehicle");
+  const auto line = io::link::parse_uri(text(vehicle, "uri"));
+  const bool is_usable = line && (line->which != io::link::uri::kind::serial || state_of(line->device).may_use);
+  if (!is_usable)
+    return; // it is among the findings of the host
   if (control::ask_daemon(control_path(configuration), {{"do", "status"}}))
     return to.push_back(
         {grade::good, "autopilot", "A godwitd runs here and has the line; `godwitd ctl status` shows the vehicle."});
-  if (has_problem(to) && line.which == io::link::uri::kind::serial && !state_of(line.device).may_use)
-    return; // it is among them
-  const auto heard = listen_on(line, patience);
+  const auto heard = listen_on(*line, patience);
   if (!heard)
     return to.push_back({grade::problem, "line", heard.error() + "."});
-  const auto& vehicle = configuration.at("vehicle");
   std::ranges::move(
-      judge_line(*heard, {line, vehicle.at("system").get<std::uint8_t>(), !text(vehicle, "key_file").empty()}),
+      judge_line(*heard, {*line, vehicle.at("system").get<std::uint8_t>(), !text(vehicle, "key_file").empty()}),
       std::back_inserter(to));
 }
 
@@ -83,8 +71,13 @@ findings examine_host(const json& configuration) {
   const auto camera = text(configuration.at("camera"), "uri");
   if (constexpr std::string_view device = "v4l2://"; camera.starts_with(device))
     result.push_back(judge_camera(camera, state_of(camera.substr(device.size()))));
-  const auto line = line_of(configuration, result);
-  if (line && line->which == io::link::uri::kind::serial)
+  const auto where = text(configuration.at("vehicle"), "uri");
+  const auto line = io::link::parse_uri(where);
+  if (where.empty())
+    result.push_back(judge_missing_line(serial_ports()));
+  else if (!line)
+    result.push_back({grade::problem, "line", "vehicle.uri: " + line.error() + "."});
+  else if (line->which == io::link::uri::kind::serial)
     result.push_back(judge_serial(*line, state_of(line->device), serial_ports()));
   return result;
 }
@@ -93,9 +86,7 @@ findings examine(const json& configuration, std::chrono::seconds patience) {
   findings result;
   examine_configuration(configuration, result);
   std::ranges::move(examine_host(configuration), std::back_inserter(result));
-  findings said_already;
-  if (const auto line = line_of(configuration, said_already))
-    examine_line(*line, configuration, patience, result);
+  examine_line(configuration, patience, result);
   return result;
 }
 

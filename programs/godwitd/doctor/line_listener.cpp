@@ -9,6 +9,7 @@
 #include "io/mavlink/codec.hpp"
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/messages/heartbeat.hpp"
+#include "programs/common/heartbeat_sender.hpp"
 #include "programs/common/peer_scanners.hpp"
 
 namespace godwit::daemon::doctor {
@@ -19,7 +20,11 @@ using std::chrono::steady_clock;
 
 constexpr std::uint64_t heartbeats_enough = 3; // at 1 Hz a second autopilot has spoken by then
 constexpr std::size_t max_senders = 32;        // more are not listed
-constexpr mavlink::sender onboard_computer{1, 191};
+
+std::int64_t wall_ns() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
 
 class listener {
 public:
@@ -86,13 +91,10 @@ tl::expected<heard_line, std::string> listen_on(const io::link::uri& line, std::
   auto opened = io::link::open_link(line, callbacks);
   if (!opened)
     return tl::make_unexpected(std::move(opened.error()));
-  const mavlink::heartbeat beat{.type = mavlink::number(mavlink::mav_type::onboard_controller),
-                                .autopilot = mavlink::number(mavlink::mav_autopilot::invalid),
-                                .system_status = mavlink::number(mavlink::mav_state::active)};
+  programs::heartbeat_sender heartbeats(programs::default_identity, std::nullopt);
   const auto began = steady_clock::now();
-  std::uint8_t sequence = 0;
   for (auto next = began; next < began + patience; next += std::chrono::seconds(1)) {
-    (*opened)->send(mavlink::encode(beat, onboard_computer, sequence++, mavlink::signing::off).span());
+    heartbeats.send(**opened, wall_ns());
     if (heard.wait_until(next + std::chrono::seconds(1)))
       break;
   }

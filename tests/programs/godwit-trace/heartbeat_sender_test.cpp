@@ -1,4 +1,4 @@
-#include "programs/godwit-trace/heartbeat_sender.hpp"
+#include "programs/common/heartbeat_sender.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,8 @@ namespace godwit::trace_tool::test {
 namespace heartbeat_sender_test {
 
 using namespace io::mavlink;
+using programs::default_identity;
+using programs::heartbeat_sender;
 
 // A link that keeps what is sent.
 class kept_link final : public io::link::link {

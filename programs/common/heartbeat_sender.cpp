@@ -1,4 +1,4 @@
-#include "programs/godwit-trace/heartbeat_sender.hpp"
+#include "programs/common/heartbeat_sender.hpp"
 
 #include <utility>
 
@@ -6,7 +6,7 @@
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/messages/heartbeat.hpp"
 
-namespace godwit::trace_tool {
+namespace godwit::programs {
 
 using namespace io::mavlink;
 
@@ -25,4 +25,4 @@ void heartbeat_sender::send(io::link::link& to, std::int64_t wall_ns) {
   to.send(frame.span());
 }
 
-} // namespace godwit::trace_tool
+} // namespace godwit::programs

@@ -13,7 +13,7 @@
 #include "io/link/link.hpp"
 #include "io/mavlink/signing/signer.hpp"
 
-namespace godwit::trace_tool {
+namespace godwit::programs {
 
 inline constexpr io::mavlink::sender default_identity{1, 191}; // of the vehicle, MAV_COMP_ID_ONBOARD_COMPUTER
 inline constexpr std::chrono::seconds heartbeat_period{1};
@@ -33,4 +33,4 @@ private:
   std::uint8_t sequence_ = 0;
 };
 
-} // namespace godwit::trace_tool
+} // namespace godwit::programs

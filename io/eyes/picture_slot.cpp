@@ -1,9 +1,9 @@
 #include "io/eyes/picture_slot.hpp"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <cstring>
 #include <new>
 #include <optional>
 #include <span>
@@ -40,7 +40,7 @@ struct cell {
     width_px = width;
     height_px = height;
     size = jpeg.size();
-    std::memcpy(bytes.data(), jpeg.data(), jpeg.size());
+    std::ranges::copy(jpeg, bytes.begin());
     stamp.store(under, std::memory_order_release);
   }
 

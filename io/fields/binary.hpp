@@ -6,6 +6,7 @@
 // the bytes that it was given. Thread: pure.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <span>
@@ -26,7 +27,7 @@ public:
       overflow_ = true;
       return;
     }
-    std::memcpy(memory_.data() + used_, data, size);
+    std::copy_n(static_cast<const std::byte*>(data), size, memory_.data() + used_); // unlike memcpy: null for none
     used_ += size;
   }
 

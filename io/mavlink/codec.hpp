@@ -7,8 +7,8 @@
 // which it ignores the surplus. It trusts that the checksum was verified. Thread: pure.
 #pragma once
 
+#include <algorithm>
 #include <array>
-#include <cstring>
 
 #include "io/mavlink/frame.hpp"
 #include "io/mavlink/layout.hpp"
@@ -25,14 +25,14 @@ template <message M>
   return {M::message_id, M::crc_extra, payload, from, sequence, sign == signing::on};
 }
 
-// The fields of M from PAYLOAD, whatever its length.
+// The fields of M from PAYLOAD, whatever its length: an empty one has only zeros.
 template <message M>
 [[nodiscard]] M decode_payload(byte_view payload) {
   constexpr auto full = layout<M>::full_length;
   if (payload.size() >= full)
     return read_fields<M>(payload.data());
   std::array<std::byte, full> padded{};
-  std::memcpy(padded.data(), payload.data(), payload.size());
+  std::ranges::copy(payload, padded.begin());
   return read_fields<M>(padded.data());
 }
 

@@ -45,7 +45,7 @@ void set_octal(char (&field)[N], std::uint64_t value) {
 
 template <std::size_t N>
 void set_text(char (&field)[N], std::string_view text) {
-  std::memcpy(field, text.data(), std::min(text.size(), N));
+  text.copy(field, N);
 }
 
 } // namespace

@@ -1,7 +1,6 @@
 #include "runtime/trace/reading/ordered_reader.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
 namespace godwit::runtime {
@@ -18,7 +17,7 @@ std::string_view ordered_reader::arena::keep(std::string_view text) {
     blocks_.push_back({std::make_unique_for_overwrite<char[]>(size), size});
   }
   char* const at = blocks_[block_].memory.get() + used_;
-  std::memcpy(at, text.data(), text.size());
+  text.copy(at, text.size());
   used_ += text.size();
   bytes_ += text.size();
   return {at, text.size()};

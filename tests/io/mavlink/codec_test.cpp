@@ -97,6 +97,7 @@ TEST(codec, takes_a_payload_without_any_byte) {
   EXPECT_EQ(frame.size(), min_frame_size);
   EXPECT_EQ(frames_in(frame.span()).size(), 1U);
   EXPECT_TRUE(equal(decode<ping>(frame.view()), ping{}));
+  EXPECT_TRUE(equal(decode_payload<ping>({}), ping{})); // of a list without memory
 }
 
 TEST(codec, takes_zeros_that_were_not_cut_off_and_a_surplus_of_newer_fields) {

@@ -219,7 +219,6 @@ void task_runner::begin_step(const world& w) {
     return prove_plan(w);
   if (has_intent() && !is_intent_noted_) {
     is_intent_noted_ = true;
-    generation_before_ = w.durable.progress.last_generation;
     if (const auto* item = std::get_if<set_current_item>(&way_[at_]))
       return note_and_wait(w, progress::start_intended{item->sequence});
     if (const auto* start = std::get_if<start_plan>(&way_[at_]))
@@ -389,6 +388,7 @@ void task_runner::ask(const world& w) {
   last_reason_.clear();
   why_failed_.clear();
   asked_ns_ = w.now_ns;
+  generation_before_ = w.durable.progress.last_generation; // an intent is noted: only its end opens another one
   is_moving_ = !is_stop() && moves(w);
   asked_at_heartbeat_ = w.view.heartbeats();
   was_in_mission_before_ = w.view.is_armed() && w.view.is_in(flight::mode_kind::mission);

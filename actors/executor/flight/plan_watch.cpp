@@ -96,6 +96,8 @@ std::vector<std::uint16_t> plan_watch::never_near(std::uint16_t sequence, told h
     return {};
   const auto& g = plan->generation;
   auto end = how == told::at ? int{sequence} : sequence + 1;
+  if (const auto loop = progress::loop_between(plan->map, g.moved_to.value_or(g.current), sequence))
+    end = loop->jump_sequence; // all up to the jump would be flown
   end = std::max({end, int{g.moved_to.value_or(0)}, g.complete_upto ? *g.complete_upto + 1 : 0});
   if (end <= g.current)
     return {};

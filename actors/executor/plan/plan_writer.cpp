@@ -228,6 +228,8 @@ flight_plan plan_writer::finished() const {
     const auto target = std::ranges::find(plan.map.items, each.to, &progress::mapped_item::item_id);
     GODWIT_ASSERT(target != plan.map.items.end(), "plan: a jump leads to an item of the plan");
     plan.items.at(each.sequence).param1 = target->first_sequence;
+    if (target->first_sequence < each.sequence && each.times != 0)
+      plan.map.loops.push_back({target->first_sequence, each.sequence});
   }
   count_rounds(plan);
   if (is_ardupilot(setting_))

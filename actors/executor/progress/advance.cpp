@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "actors/executor/progress/patience.hpp"
 #include "runtime/assert.hpp"
 #include "runtime/planted_bug.hpp"
 
@@ -75,6 +76,18 @@ void report_completion(decision_context& t, bool is_inferred) {
   tell(t, progress_event_kind::mission_complete);
 }
 
+// What stands behind the last movement takes no time.
+void finish(decision_context& t, bool is_inferred) {
+  auto& plan = *t.s.plan;
+  if (plan.generation.is_finished || plan.generation.resolved < items_to_finish(plan.map))
+    return;
+  while (plan.generation.resolved < plan.map.items.size())
+    resolve_next(t, progress_kind::reached, true);
+  plan.generation.is_finished = true;
+  tell(t, progress_event_kind::plan_done);
+  report_completion(t, is_inferred);
+}
+
 void adopt_move(decision_context& t) {
   auto& g = t.s.plan->generation;
   g.current = *std::exchange(g.moved_to, std::nullopt);
@@ -88,10 +101,10 @@ void adopt_complete(decision_context& t) {
   auto& plan = *t.s.plan;
   const auto upto = *std::exchange(plan.generation.complete_upto, std::nullopt);
   resolve_passed(t, static_cast<std::uint16_t>(upto + 1));
-  finish_if_done(t, true);
+  finish(t, true);
   while (plan.generation.resolved < plan.map.items.size())
     resolve_next(t, progress_kind::skipped, true);
-  finish_if_done(t, true);
+  finish(t, true);
 }
 
 void wait_if_new(decision_context& t, bool was_waiting) {
@@ -101,16 +114,9 @@ void wait_if_new(decision_context& t, bool was_waiting) {
 
 } // namespace
 
-// What stands behind the last movement takes no time.
 void finish_if_done(decision_context& t, bool is_inferred) {
-  auto& plan = *t.s.plan;
-  if (plan.generation.is_finished || plan.generation.resolved < items_to_finish(plan.map))
-    return;
-  while (plan.generation.resolved < plan.map.items.size())
-    resolve_next(t, progress_kind::reached, true);
-  plan.generation.is_finished = true;
-  tell(t, progress_event_kind::plan_done);
-  report_completion(t, is_inferred);
+  if (!ends_in_loop(t.s.plan->map))
+    finish(t, is_inferred);
 }
 
 void move_on(decision_context& t, std::uint16_t sequence) {
@@ -124,6 +130,24 @@ void move_on(decision_context& t, std::uint16_t sequence) {
     wait_if_new(t, was_waiting);
   else
     adopt_move(t);
+}
+
+// First the vehicle has moved on to the jump, which it does not report: the REACHED before it may still come.
+void go_round(decision_context& t, const plan_loop& loop, std::uint16_t sequence) {
+  auto& g = t.s.plan->generation;
+  if (g.moved_to.value_or(g.current) < loop.jump_sequence)
+    move_on(t, loop.jump_sequence);
+  if (g.moved_to && !is_over(g.waiting_since_ns, t.now_ns, reached_late_ns))
+    return;
+  if (g.moved_to)
+    adopt_move(t);
+  const bool is_active = g.is_active;
+  open_generation(t, generation_origin::round, loop.target_sequence);
+  g.is_armed = true;
+  g.was_active = true;
+  g.is_active = is_active;
+  g.current = sequence;
+  begin(t);
 }
 
 void arrive(decision_context& t, std::uint16_t sequence) {

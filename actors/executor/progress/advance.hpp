@@ -5,6 +5,7 @@
 //   CURRENT(s + 1), REACHED(s)        s                reached, at REACHED
 //   CURRENT(s + 1), and no REACHED    s                reached, inferred, after reached_late_ns
 //   CURRENT(s + 3)                    s .. s + 2       reached, inferred, the same way
+//   CURRENT(target of a jump behind)  up to the jump   reached; then a new generation from the target on
 //   state complete, and no REACHED    all up to there  reached, inferred, the same way
 //
 // Items are resolved in the order of the mission, each once in a generation, so an index never goes back. What waits
@@ -22,13 +23,18 @@ namespace godwit::executor::progress {
 // The vehicle is seen at SEQUENCE, ahead of where it was.
 void move_on(decision_context& t, std::uint16_t sequence);
 
+// The jump of LOOP has led it back to SEQUENCE: what stands before the jump is done, and a new generation begins in
+// which the items of the loop are reported again.
+void go_round(decision_context& t, const plan_loop& loop, std::uint16_t sequence);
+
 // It has reached SEQUENCE: the one where it is, or one that it has just left.
 void arrive(decision_context& t, std::uint16_t sequence);
 
 // It says at SEQUENCE that the mission is complete.
 void note_complete(decision_context& t, std::uint16_t sequence);
 
-// With all items done up to the last one that moves the vehicle the plan is, and the mission where nothing follows.
+// With all items done up to the last one that moves the vehicle the plan is, and the mission where nothing follows. Not
+// of one that ends in a loop: there a vehicle reports it.
 void finish_if_done(decision_context& t, bool is_inferred);
 
 // Settles what waits for a REACHED without it.

@@ -89,6 +89,15 @@ bool is_still_at_start(decision_context& t, const mission_current& message) {
   return message.seq == g.current;
 }
 
+// Back over a jump of the plan. Where the track contradicts what it would have flown until the jump, somebody has moved
+// it. While an upload or a start is under way nothing is opened: where the vehicle is comes again after that.
+std::optional<plan_loop> round_begun(const decision_context& t, std::uint16_t at, std::uint16_t sequence) {
+  const auto& plan = *t.s.plan;
+  if (t.s.upload || t.s.start || !plan.generation.never_near.empty())
+    return std::nullopt;
+  return loop_between(plan.map, at, sequence);
+}
+
 void follow_armed(decision_context& t, const mission_current& message) {
   auto& plan = *t.s.plan;
   auto& g = plan.generation;
@@ -98,8 +107,11 @@ void follow_armed(decision_context& t, const mission_current& message) {
   note_mission_state(g, message);
   if (is_over(g.waiting_since_ns, t.now_ns, reached_late_ns))
     catch_up(t);
-  if (is_in_plan && message.seq > g.moved_to.value_or(g.current))
+  const auto at = g.moved_to.value_or(g.current);
+  if (is_in_plan && message.seq > at)
     move_on(t, message.seq);
+  else if (const auto loop = round_begun(t, at, message.seq))
+    go_round(t, *loop, message.seq);
   if (g.was_active && !is_resolving(t) && g.is_complete)
     note_complete(t, message.seq);
   if (!g.moved_to)

@@ -35,7 +35,10 @@ bool is_sound(const plan_map& map) {
       return false;
     free_from = behind(item);
   }
-  return true;
+  return std::ranges::all_of(map.loops, [&](const plan_loop& each) {
+    return has_sequence(map, each.target_sequence) && has_sequence(map, each.jump_sequence) &&
+           each.target_sequence < each.jump_sequence;
+  });
 }
 
 std::uint16_t end_sequence(const plan_map& map) { return static_cast<std::uint16_t>(map.first_sequence + map.total); }
@@ -73,6 +76,20 @@ bool is_start(const plan_map& map, std::uint16_t start, std::uint16_t sequence) 
     return each.last_nav_sequence && *each.last_nav_sequence >= start;
   });
   return moving != map.items.end() && sequence > start && sequence <= *moving->first_nav_sequence;
+}
+
+std::optional<plan_loop> loop_between(const plan_map& map, std::uint16_t at, std::uint16_t sequence) {
+  std::optional<plan_loop> found;
+  for (const auto& each : map.loops)
+    if (each.target_sequence <= sequence && sequence < at && at <= each.jump_sequence &&
+        (!found || each.jump_sequence < found->jump_sequence))
+      found = each;
+  return found;
+}
+
+bool ends_in_loop(const plan_map& map) {
+  const auto last = last_movement(map);
+  return last && std::ranges::any_of(map.loops, [&](const plan_loop& each) { return each.jump_sequence > *last; });
 }
 
 std::uint32_t items_to_finish(const plan_map& map) {

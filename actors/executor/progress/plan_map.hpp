@@ -51,17 +51,30 @@ struct mapped_item {
   friend bool operator==(const mapped_item&, const mapped_item&) = default;
 };
 
+// A jump that leads back: the vehicle goes from the item before JUMP_SEQUENCE to TARGET_SEQUENCE.
+struct plan_loop {
+  std::uint16_t target_sequence = 0;
+  std::uint16_t jump_sequence = 0;
+
+  static constexpr auto fields =
+      io::table("executor.progress_plan_loop", io::field("target_sequence", &plan_loop::target_sequence),
+                io::field("jump_sequence", &plan_loop::jump_sequence));
+  friend bool operator==(const plan_loop&, const plan_loop&) = default;
+};
+
 struct plan_map {
-  std::uint16_t first_sequence = 0; // 1 where item 0 is home
-  std::uint16_t total = 0;          // items on the vehicle as MISSION_CURRENT.total counts them: without home
-  std::uint16_t start_sequence = 0; // where the vehicle begins
-  bool ends_mission = false;        // no further plan of this mission follows
-  std::vector<mapped_item> items;   // in the order of the mission
+  std::uint16_t first_sequence = 0;  // 1 where item 0 is home
+  std::uint16_t total = 0;           // items on the vehicle as MISSION_CURRENT.total counts them: without home
+  std::uint16_t start_sequence = 0;  // where the vehicle begins
+  bool ends_mission = false;         // no further plan of this mission follows
+  std::vector<mapped_item> items;    // in the order of the mission
+  std::vector<plan_loop> loops = {}; // in the order of their jumps
 
   static constexpr auto fields =
       io::table("executor.progress_plan_map", io::field("first_sequence", &plan_map::first_sequence),
                 io::field("total", &plan_map::total), io::field("start_sequence", &plan_map::start_sequence),
-                io::field("ends_mission", &plan_map::ends_mission), io::field("items", &plan_map::items));
+                io::field("ends_mission", &plan_map::ends_mission), io::field("items", &plan_map::items),
+                io::field("loops", &plan_map::loops));
   friend bool operator==(const plan_map&, const plan_map&) = default;
 };
 
@@ -96,6 +109,12 @@ inline constexpr std::uint16_t no_sequence = 65535;
 // A vehicle that begins at START is first seen there, or at the first item behind it that moves it: what stands before
 // that takes no time. Inside of an item of several movements only START itself counts.
 [[nodiscard]] bool is_start(const plan_map& map, std::uint16_t start, std::uint16_t sequence);
+
+// The loop that takes a vehicle from AT back to SEQUENCE, the innermost of several. Nothing: none does.
+[[nodiscard]] std::optional<plan_loop> loop_between(const plan_map& map, std::uint16_t at, std::uint16_t sequence);
+
+// A loop goes on after the last movement: it ends the plan only when the vehicle reports so.
+[[nodiscard]] bool ends_in_loop(const plan_map& map);
 
 // So many items from the front have to be done until the plan is: all up to the last one that moves the vehicle.
 [[nodiscard]] std::uint32_t items_to_finish(const plan_map& map);

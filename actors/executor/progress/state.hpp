@@ -10,9 +10,9 @@
 //                                        └── next upload or start ─────── paused (foreign plan, vehicle restarted,
 //                                                                                 aborted)
 //
-// A generation is what one accepted upload or start begins. Progress counts in an armed generation only; all that is
-// told before it is armed, or after the next one is opened, changes nothing. Sequences are the vehicle's, positions
-// those in the items of the map, times nanoseconds since 1970 (UTC). Thread: plain values.
+// A generation is what one accepted upload or start begins, or one more round of a loop. Progress counts in an armed
+// generation only; all that is told before it is armed, or after the next one is opened, changes nothing. Sequences are
+// the vehicle's, positions those in the items of the map, times nanoseconds since 1970 (UTC). Thread: plain values.
 #pragma once
 
 #include <cstddef>
@@ -46,13 +46,15 @@ struct mission_record {
 enum class generation_origin {
   new_plan,
   same_plan, // with the content of the one before: the vehicle may just go on in it
-  start
+  start,
+  round // a jump has led the vehicle back
 };
 
 constexpr auto enum_names(generation_origin) {
   return io::names<generation_origin>({{generation_origin::new_plan, "new_plan"},
                                        {generation_origin::same_plan, "same_plan"},
-                                       {generation_origin::start, "start"}});
+                                       {generation_origin::start, "start"},
+                                       {generation_origin::round, "round"}});
 }
 
 struct generation_state {

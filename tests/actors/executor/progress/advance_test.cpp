@@ -282,30 +282,112 @@ TEST_P(advance_any, a_reached_of_an_act_in_place_of_its_waypoint_tells_of_neithe
                              "started B#3 g1"}));
 }
 
-// The rounds of a DO_JUMP: MISSION_CURRENT goes back, and REACHED comes again.
-TEST_P(advance_any, what_is_flown_again_in_a_loop_is_reported_once) {
-  auto map = map_of(d.vehicle, {"A", "B", "jump", "C"});
+// A, B, a jump from behind B to A, C.
+plan_map looped(const flavour& vehicle, const texts& ids = {"A", "B", "jump", "C"}) {
+  auto map = map_of(vehicle, ids);
   map.items[2].role = item_role::acts;
   map.items[2].first_nav_sequence.reset();
   map.items[2].last_nav_sequence.reset();
+  map.loops.push_back({map.items[0].first_sequence, map.items[2].first_sequence});
+  return map;
+}
+
+void begin_loop(progress_fixture& d, const plan_map& map) {
   d.upload(map);
   d.current(0);
   d.wait_s(3);
   d.current(0);
-  for (int round = 0; round < 3; ++round) {
-    d.current(0);
-    d.wait_s(2);
-    d.reached(0);
-    d.current(1);
-    d.wait_s(2);
-    d.reached(1);
-  }
+  d.wait_s(5);
+}
+
+void fly_round(progress_fixture& d) {
+  d.current(0);
+  d.wait_s(2);
+  d.current(0);
+  d.reached(0);
+  d.current(1);
+  d.wait_s(2);
+  d.reached(1);
+}
+
+// The rounds of a DO_JUMP: MISSION_CURRENT goes back, and REACHED comes again.
+TEST_P(advance_any, each_round_of_a_loop_is_reported_once_in_a_generation_of_its_own) {
+  begin_loop(d, looped(d.vehicle));
+  for (int round = 0; round < 3; ++round)
+    fly_round(d);
   d.current(3);
   d.reached(3);
-  const texts wanted{
-      "started A#0 g1", "reached A#0 g1", "started B#1 g1", "reached B#1 g1", "passed jump#2 g1 inferred",
-      "started C#3 g1", "reached C#3 g1", "complete g1"};
+  const texts wanted{"started A#0 g1",
+                     "reached A#0 g1",
+                     "started B#1 g1",
+                     "reached B#1 g1",
+                     "started A#0 g2",
+                     "reached A#0 g2",
+                     "started B#1 g2",
+                     "reached B#1 g2",
+                     "started A#0 g3",
+                     "reached A#0 g3",
+                     "started B#1 g3",
+                     "reached B#1 g3",
+                     "passed jump#2 g3 inferred",
+                     "started C#3 g3",
+                     "reached C#3 g3",
+                     "complete g3"};
   EXPECT_EQ(d.said(), wanted);
+}
+
+TEST_P(advance_any, a_round_is_noticed_after_a_crash_in_it_and_without_its_first_place) {
+  begin_loop(d, looped(d.vehicle, {"A", "B", "jump", "C"}));
+  d.current(1);
+  d.wait_s(2);
+  d.crash();
+  d.current(0);
+  d.wait_s(2);
+  d.current(0);
+  d.crash();
+  d.wait_s(3);
+  d.reached(0);
+  d.current(1);
+  const texts wanted{"started A#0 g1", "reached A#0 g1 inferred", "started B#1 g1", "reached B#1 g1 inferred",
+                     "started A#0 g2", "reached A#0 g2",          "started B#1 g2"};
+  EXPECT_EQ(d.said(), wanted);
+}
+
+TEST_P(advance_any, a_late_word_of_the_round_before_is_no_progress_of_the_next_one) {
+  begin_loop(d, looped(d.vehicle));
+  fly_round(d);
+  d.current(0);
+  d.wait_s(1);
+  d.said();
+  d.reached(1);
+  d.current(1);
+  EXPECT_EQ(d.said(), texts{});
+}
+
+// Somebody has set the item back before it was flown.
+TEST_P(advance_any, a_vehicle_that_is_led_back_before_the_end_of_a_round_begins_none) {
+  begin_loop(d, looped(d.vehicle));
+  d.current(1);
+  d.wait_s(2);
+  d.current(1);
+  d.said();
+  auto back = current_told{d.current_message(0)};
+  back.never_near = {d.sequence(1)};
+  d.take(back);
+  d.wait_s(2);
+  d.take(back);
+  EXPECT_EQ(d.said(), texts{});
+}
+
+TEST_P(advance_any, a_plan_that_ends_in_a_loop_is_complete_when_the_vehicle_reports_it) {
+  auto map = looped(d.vehicle, {"A", "B", "jump"});
+  begin_loop(d, map);
+  fly_round(d);
+  fly_round(d);
+  for (const auto& each : d.said())
+    EXPECT_FALSE(each.starts_with("complete")) << each;
+  d.current(1, mission_state::complete);
+  EXPECT_EQ(d.said(), (texts{"passed jump#2 g2 inferred", "complete g2 inferred"}));
 }
 
 } // namespace advance_test

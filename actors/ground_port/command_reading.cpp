@@ -1,5 +1,6 @@
 #include "actors/ground_port/command_reading.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -70,6 +71,21 @@ bool is_absent(double coordinate, const order& what) {
 
 bool has_no_place(const order& what) { return is_absent(what.x, what) && is_absent(what.y, what); }
 
+bool is_at_its_altitude(const order& what, const told_by_vehicle& told) {
+  constexpr double same_altitude_m = 1; // streams come four times a second
+  const auto altitude =
+      mavlink::altitude_in(what.is_in_integers ? what.frame : mavlink::number(mavlink::mav_frame::global));
+  if (!told.here || !altitude || *altitude == altitude_kind::above_terrain)
+    return false;
+  const bool is_above_sea = *altitude == altitude_kind::above_sea;
+  if (is_above_sea && !told.home_altitude_m)
+    return false;
+  const double wanted_m = what.z - (is_above_sea ? *told.home_altitude_m : 0.0);
+  const double then_m = told.held_from_m.value_or(told.here->altitude_m);
+  return wanted_m > std::min(then_m, told.here->altitude_m) - same_altitude_m &&
+         wanted_m < std::max(then_m, told.here->altitude_m) + same_altitude_m;
+}
+
 // What a PX4 keeps of itself.
 std::optional<order> filled_up(order what, const told_by_vehicle& told) {
   const bool is_complete = !has_no_place(what) && !std::isnan(what.z);
@@ -94,7 +110,7 @@ reading read_reposition(order what, const told_by_vehicle& told) {
     return refused(mav_result::unsupported, what, "it is taken as COMMAND_INT");
   if (!what.is_in_integers && !is_px4)
     return refused(mav_result::command_int_only, what, "it is taken as COMMAND_INT");
-  if (is_pause_by_reposition(what, told.autopilot))
+  if (is_pause_by_reposition(what, told))
     return said_by(what, command_kind::pause);
   if (!what.is_in_integers)
     what.frame = mavlink::number(mavlink::mav_frame::global);
@@ -128,8 +144,10 @@ tl::expected<command, word_refusal> read_word(const order& what, const told_by_v
                                                                  : read_pause_or_continue(what);
 }
 
-bool is_pause_by_reposition(const order& what, mavlink::mav_autopilot autopilot) {
-  return autopilot == mavlink::mav_autopilot::px4 && has_no_place(what) && std::isnan(what.z);
+bool is_pause_by_reposition(const order& what, const told_by_vehicle& told) {
+  if (told.autopilot != mavlink::mav_autopilot::px4 || !has_no_place(what))
+    return false;
+  return std::isnan(what.z) || is_at_its_altitude(what, told);
 }
 
 std::string name_for_people(const order& what) {

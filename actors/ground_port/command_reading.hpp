@@ -7,6 +7,8 @@
 //     as COMMAND_LONG, an ArduPilot                       UNSUPPORTED, as it answers itself
 //     as COMMAND_LONG, any other but a PX4                COMMAND_INT_ONLY: a float is off by about a metre
 //     a PX4, neither place nor altitude                   pause: so QGroundControl pauses it
+//     a PX4, no place, the altitude at which it is        pause: what QGroundControl sends after it when its slider of
+//                                                         the altitude was left alone
 //     a PX4, no place                                     go_to where it is, at this altitude
 //     a PX4, no altitude                                  go_to there at the altitude that it has
 //     a frame that is not 0, 3, 5 or 6                    UNSUPPORTED_MAV_FRAME; the height of the terrain is not known
@@ -47,14 +49,16 @@ struct told_by_vehicle {
   mavlink::mav_autopilot autopilot = mavlink::mav_autopilot::generic;
   std::optional<double> home_altitude_m = {}; // above mean sea level
   std::optional<mission::position> here = {}; // its altitude above home
+  std::optional<double> held_from_m = {};     // the altitude above home at which a station asked for the last hold
 };
 
 // WHAT is one of the two commands.
 [[nodiscard]] tl::expected<operators::command, word_refusal> read_word(const vehicle_role::order& what,
                                                                        const told_by_vehicle& told);
 
-// A PX4 is to hold where it is.
-[[nodiscard]] bool is_pause_by_reposition(const vehicle_role::order& what, mavlink::mav_autopilot autopilot);
+// A PX4 is to hold where it is. A vehicle that is about to hold still climbs or sinks: an altitude between that at
+// which the hold was asked for and the present one is no other altitude, either.
+[[nodiscard]] bool is_pause_by_reposition(const vehicle_role::order& what, const told_by_vehicle& told);
 
 // Without what else the command needs.
 [[nodiscard]] operators::command said_by(const vehicle_role::order& what, operators::command_kind which);

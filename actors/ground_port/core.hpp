@@ -26,6 +26,7 @@
 
 #include "actors/domain/flight_mode/flight_modes.hpp"
 #include "actors/ground_port/command_dedup.hpp"
+#include "actors/ground_port/command_reading.hpp"
 #include "actors/ground_port/effects.hpp"
 #include "actors/ground_port/forward_gate.hpp"
 #include "actors/ground_port/message_allowlist.hpp"
@@ -216,6 +217,7 @@ private:
   // core_operators.cpp
   [[nodiscard]] std::optional<double> home_altitude_m() const; // above mean sea level
   [[nodiscard]] std::optional<mission::position> here() const; // where the vehicle is; the altitude above home
+  [[nodiscard]] told_by_vehicle told_to(mavlink::sender who, std::int64_t now_ns) const;
   void say_word(decision_context& t, const vehicle_role::order& what);
   void say_word_of(decision_context& t, const vehicle_role::order& what, operators::command_kind which);
   void begin_word(decision_context& t, const vehicle_role::order& what, const operators::command& command);
@@ -305,6 +307,12 @@ private:
   passing::act_series audited_acts_;
   passing::stick_watch sticks_;
   bool is_hold_asked_ = false; // through a station, and not shown by the progress yet
+  struct held_from {           // where the vehicle was when a station asked for a hold
+    mavlink::sender by;
+    double altitude_m = 0; // above home
+    std::int64_t at_ns = 0;
+  };
+  std::optional<held_from> held_from_;
   passing::budget to_vehicle_{to_vehicle_most};
   passing::budget to_stations_{to_stations_most};
   vehicle_role::current_report report_;

@@ -30,11 +30,20 @@ std::optional<mission::position> core::here() const {
   return mission::position{m.lat / mavlink::units_a_degree, m.lon / mavlink::units_a_degree, m.relative_alt / mm_per_m};
 }
 
+// An altitude that a station sends when its hold is answered is that at which the vehicle was when it asked for it.
+told_by_vehicle core::told_to(mavlink::sender who, std::int64_t now_ns) const {
+  constexpr std::int64_t follows_within_ns = 10'000'000'000; // a hold is answered within seconds
+  told_by_vehicle result{owner_.autopilot, home_altitude_m(), here()};
+  if (held_from_ && held_from_->by == who && now_ns - held_from_->at_ns < follows_within_ns)
+    result.held_from_m = held_from_->altitude_m;
+  return result;
+}
+
 void core::say_word(decision_context& t, const vehicle_role::order& what) {
   const auto now_ns = t.now.monotonic_ns;
   if (const auto heard = words_.heard_before(what, now_ns))
     return answer(t, what, *heard);
-  const auto command = read_word(what, {owner_.autopilot, home_altitude_m(), here()});
+  const auto command = read_word(what, told_to(what.from, now_ns));
   if (!command)
     return refuse(t, what, command.error().result, command.error().text);
   if (command->kind == operators::command_kind::resume && noted_start_item_)

@@ -14,6 +14,7 @@
 //   the executor decides
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 #include <string>
 #include <utility>
@@ -237,9 +238,12 @@ void core::route_command(decision_context& t, station& from, const vehicle_role:
 void core::route_owned(decision_context& t, station& from, const vehicle_role::order& what,
                        const mavlink::frame_view& frame, bool is_for_all) {
   const bool is_reposition = what.command == mavlink::number(mav_cmd::do_reposition);
-  if (what.command == mavlink::number(mav_cmd::nav_loiter_unlim) ||
-      (is_reposition && is_pause_by_reposition(what, owner_.autopilot)))
+  const bool is_loiter = what.command == mavlink::number(mav_cmd::nav_loiter_unlim);
+  if (is_loiter || (is_reposition && is_pause_by_reposition(what, told_to(from.who, t.now.monotonic_ns)))) {
+    if (const auto place = here(); place && (is_loiter || std::isnan(what.z)))
+      held_from_ = held_from{from.who, place->altitude_m, t.now.monotonic_ns};
     return ask(t, {{act_kind::hold, by(from.who), "Hold"}, as_said(frame), what});
+  }
   if (is_reposition)
     return ask(t, {{act_kind::go_to, by(from.who), name_for_people(what)}, as_said(frame), what});
   obey(t, what, is_for_all);

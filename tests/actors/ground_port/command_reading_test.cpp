@@ -155,6 +155,23 @@ TEST_F(word_reading_px4, an_altitude_alone_is_a_way_up_or_down_where_it_is_and_c
   EXPECT_NEAR(command->place->altitude_m, 20, 1e-6);
 }
 
+// QGroundControl's Pause has a slider of the altitude: left alone, it sends the present one when its hold is answered.
+TEST_F(word_reading_px4, the_altitude_at_which_it_is_is_a_pause) {
+  EXPECT_EQ(read_by_px4(in_floats(nan, nan, 513))->kind, command_kind::pause);
+  EXPECT_EQ(read_by_px4(in_floats(nan, nan, 513.9F))->kind, command_kind::pause);
+  EXPECT_EQ(read_by_px4(in_floats(nan, nan, 514.5F))->kind, command_kind::go_to);
+  EXPECT_EQ(read_by_px4(in_floats(nan, nan, 511.5F))->kind, command_kind::go_to);
+  EXPECT_EQ(read_by_px4(in_floats(47.4F, 8.5F, 513))->kind, command_kind::go_to);
+}
+
+TEST_F(word_reading_px4, the_altitude_at_which_a_hold_was_asked_for_is_a_pause_while_it_still_climbs) {
+  told.held_from_m = 20;
+  EXPECT_EQ(read_by_px4(in_floats(nan, nan, 508))->kind, command_kind::pause);
+  EXPECT_EQ(read_by_px4(in_floats(nan, nan, 511))->kind, command_kind::pause);
+  EXPECT_EQ(read_by_px4(in_floats(nan, nan, 506.5F))->kind, command_kind::go_to);
+  EXPECT_EQ(read_by_px4(in_floats(nan, nan, 514.5F))->kind, command_kind::go_to);
+}
+
 TEST_F(word_reading_px4, a_place_in_floats_counts_above_the_sea_too) {
   const auto command = read_by_px4(in_floats(47.5F, 8.25F, 518));
   ASSERT_TRUE(command);

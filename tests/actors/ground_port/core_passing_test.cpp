@@ -545,6 +545,25 @@ TEST_F(ground_port_reposition, the_pause_of_QGroundControl_is_a_hold) {
   EXPECT_EQ(port.last_result(), 0);
 }
 
+// As it came at 30.4 m above a home at 488 m: 18 ms after the ACK of the hold, which was asked for at 25 m in a climb.
+TEST_F(ground_port_reposition, its_pause_with_the_slider_of_the_altitude_left_alone_stays_a_hold) {
+  reposition(nan, nan, nan);
+  port.executor_says(act_verdict::begun);
+  port.executor_resolves(act_verdict::done);
+  port.vehicle_says(mavlink::global_position_int{.lat = 474'000'000, .lon = 85'000'000, .relative_alt = 30'400});
+  port.forget();
+  reposition(nan, nan, 513);
+  ASSERT_EQ(port.acts.size(), 2U);
+  EXPECT_EQ(port.acts[1].what.kind, act_kind::hold);
+  port.executor_says(act_verdict::done);
+  EXPECT_EQ(port.last_result(), 0);
+  EXPECT_TRUE(port.words.empty()) << "no plan is flown instead";
+  port.advance(11 * ns_per_s);
+  reposition(nan, nan, 513);
+  ASSERT_EQ(port.acts.size(), 3U);
+  EXPECT_EQ(port.acts[2].what.kind, act_kind::go_to) << "long after the hold it is another altitude";
+}
+
 TEST_F(ground_port_reposition, its_change_of_the_altitude_is_a_go_to_where_the_vehicle_is) {
   reposition(nan, nan, 508);
   ASSERT_EQ(port.acts.size(), 1U);

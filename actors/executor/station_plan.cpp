@@ -38,6 +38,16 @@ std::uint16_t place_to_go_on(const state& s) {
   return static_cast<std::uint16_t>(s.station->items - 1);
 }
 
+// After an operator had sent the vehicle elsewhere it has the rest of the upload, without what was flown before.
+bool is_left_behind(const state& s, std::uint16_t index) {
+  std::optional<std::uint16_t> chosen; // the item at INDEX, or the next one that is flown as one of its own
+  for (const auto place : s.station->places)
+    if (place >= index && (!chosen || place < *chosen))
+      chosen = place;
+  return std::ranges::none_of(s.progress.plan->map.items,
+                              [&](const auto& each) { return place_in_upload(s, each.item_index) == chosen; });
+}
+
 // Of the plan that is shown, for SEQUENCE of the vehicle.
 std::optional<std::uint16_t> shown_at(const state& s, std::uint16_t sequence, bool with_home) {
   const auto& map = s.progress.plan->map;
@@ -107,6 +117,8 @@ std::optional<std::uint16_t> vehicle_sequence_of(const state& s, std::uint16_t i
     const auto behind_home = std::max<std::uint32_t>(sequence, map.first_sequence);
     return behind_home < end_sequence(map) ? std::optional(static_cast<std::uint16_t>(behind_home)) : std::nullopt;
   }
+  if (!flies_upload(s) && is_left_behind(s, index))
+    return std::nullopt;
   const auto found = std::ranges::find_if(map.items, [&](const auto& each) {
     const auto place = place_in_upload(s, each.item_index);
     return each.sequence_count != 0 && place && *place >= index;

@@ -35,7 +35,7 @@ namespace godwit::executor {
 [[nodiscard]] std::vector<io::mavlink::mission_item_int> items_on_vehicle(const state& s, bool with_home);
 
 // The item of the vehicle's plan at which what is shown as item INDEX begins, or what follows it where the vehicle has
-// none for it. Nothing: it is beyond the plan.
+// none for it. Nothing: it is beyond the plan, or the vehicle has it no more: it flies the rest after a go to.
 [[nodiscard]] std::optional<std::uint16_t> vehicle_sequence_of(const state& s, std::uint16_t index, bool with_home);
 
 // PLAN_ID is that of what is shown.

@@ -129,6 +129,38 @@ TEST_P(flight_by_station, a_cleared_plan_can_not_be_started) {
   EXPECT_FALSE(world.say(operators::command_kind::start).is_taken);
 }
 
+class go_to_of_a_station : public testing::TestWithParam<sim::personality> {};
+
+// QGroundControl's Set Waypoint: the next item that there was flown instead, and it heard that all is well.
+TEST_P(go_to_of_a_station, an_item_that_the_vehicle_has_no_more_is_refused_and_no_other_one_is_flown) {
+  flight_world world(by_stations(GetParam()));
+  const auto items = station_items(GetParam());
+  ASSERT_TRUE(bring(world, items));
+  ASSERT_TRUE(fly_two_items(world, items));
+  operators::command there;
+  there.kind = operators::command_kind::go_to;
+  there.by = "anna";
+  there.place = mission::position{items[2].x * 1e-7 + 0.0003, items[2].y * 1e-7, items[2].z};
+  ASSERT_TRUE(world.say(there).is_taken) << world.story();
+  world.run_for(20);
+  ASSERT_TRUE(world.say(operators::command_kind::cancel).is_taken) << world.story();
+  ASSERT_TRUE(world.run_until([&] { return !world.shown_progress().back().is_sent_elsewhere; }, 10)) << world.story();
+  ASSERT_TRUE(world.run_until_phase(phase::flying, 10)) << world.story();
+  const auto current = world.shown_progress().back().current;
+  auto flown_already = start_of(world, items);
+  flown_already.first = 1;
+  world.station_says(flown_already);
+  ASSERT_TRUE(world.run_until([&] { return world.start_answers().size() == 2; }, 10)) << world.story();
+  EXPECT_EQ(world.start_answers().back().verdict, start_verdict::no_such_item);
+  EXPECT_EQ(world.shown_progress().back().current, current);
+  auto to_come = start_of(world, items);
+  to_come.first = static_cast<std::uint16_t>(items.size() - 2);
+  world.station_says(to_come);
+  ASSERT_TRUE(world.run_until([&] { return world.start_answers().size() == 3; }, 10)) << world.story();
+  EXPECT_EQ(world.start_answers().back().verdict, start_verdict::started) << world.start_answers().back().reason;
+  EXPECT_TRUE(world.run_until_phase(phase::done)) << world.story();
+}
+
 TEST_P(flight_by_station, FR_00089_a_start_while_it_flies_restarts_at_the_item_that_is_named) {
   flight_world world(by_stations(GetParam()));
   const auto items = station_items(GetParam());
@@ -412,6 +444,8 @@ TEST_P(flight_by_station, what_is_changed_in_flight_is_shown_as_the_vehicle_has_
 
 const auto every_vehicle = testing::Values(sim::personality::px4, sim::personality::ardupilot, sim::personality::rover,
                                            sim::personality::plane);
+INSTANTIATE_TEST_SUITE_P(each, go_to_of_a_station,
+                         testing::Values(sim::personality::px4, sim::personality::ardupilot, sim::personality::plane));
 INSTANTIATE_TEST_SUITE_P(each, flight_by_station, every_vehicle);
 INSTANTIATE_TEST_SUITE_P(each, armed_by_station, every_vehicle);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 
 namespace godwit::sim {
 
@@ -91,7 +92,9 @@ std::vector<role::param> px4_params() {
 namespace {
 
 // Those that Copter and Plane share, with OWN: the ids first, the rest by name, as ArduPilot lists them. QGroundControl
-// wants the RCMAP_ and the COMPASS_ ones (APMSensorsComponent, RadioComponent).
+// wants the RCMAP_, the COMPASS_ and the RC2 to RC4 ones (APMSensorsComponent, RadioComponent). With all 16 channels
+// the file of the parameters is above a thousandth of the size that is told of it: below, QGroundControl sees no
+// progress, reads it again and again, and reports that the vehicle does not respond.
 std::vector<role::param> ardupilot_params(const std::vector<role::param>& own) {
   constexpr std::ptrdiff_t ids = 4;
   std::vector<role::param> result{
@@ -135,6 +138,15 @@ std::vector<role::param> ardupilot_params(const std::vector<role::param>& own) {
       {"STAT_RUNTIME", 0, int32, false},
   };
   result.insert(result.end(), own.begin(), own.end());
+  for (int channel = 2; channel <= 16; ++channel) {
+    const auto name = "RC" + std::to_string(channel);
+    result.push_back({name + "_DZ", 0, int16, true});
+    result.push_back({name + "_MAX", 1900, int16, true});
+    result.push_back({name + "_MIN", 1100, int16, true});
+    result.push_back({name + "_OPTION", 0, int16, true});
+    result.push_back({name + "_REVERSED", 0, int8, true});
+    result.push_back({name + "_TRIM", 1500, int16, true});
+  }
   std::ranges::sort(result.begin() + ids, result.end(), {}, &role::param::name);
   return result;
 }

@@ -1,6 +1,8 @@
 #include "programs/godwit-sim/vehicle/autopilot/file_server.hpp"
 
+#include <algorithm>
 #include <cstring>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -87,6 +89,23 @@ TEST(file_server, the_parameter_file_is_read_in_a_burst_and_holds_all_parameters
     EXPECT_EQ(reader.value, params[read].value) << reader.name;
   }
   EXPECT_EQ(read, params.size());
+}
+
+// As with the 1,400 of a real ArduCopter; with less QGroundControl reports that the vehicle does not respond.
+TEST(file_server, the_parameter_file_is_above_a_thousandth_of_the_size_that_is_told_of_it) {
+  for (const auto& params : {copter_params(), plane_params()}) {
+    const auto file = param_file(params);
+    EXPECT_GT(file.content.size(), file.size_told / 1000);
+  }
+}
+
+TEST(param_list, an_ArduPilot_has_the_limits_of_all_16_channels_of_its_remote_control) {
+  const auto all = copter_params();
+  for (int channel = 1; channel <= 16; ++channel)
+    for (const std::string end : {"_MIN", "_MAX", "_TRIM"}) {
+      const auto name = "RC" + std::to_string(channel) + end;
+      EXPECT_EQ(std::ranges::count(all, name, &role::param::name), 1) << name;
+    }
 }
 
 TEST(file_server, a_file_that_is_not_there_is_not_found_and_nothing_is_written) {

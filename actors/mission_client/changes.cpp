@@ -22,8 +22,15 @@ event try_again_or_fail(const outbox_row& row, const service_answer& answer, std
   return change_failed{row.key, verdict_after(row, answer), sentence_of(answer)};
 }
 
+// The vehicle flies it already: it is tried until the service has it, or will not have it.
+event try_again(const outbox_row& row, const service_answer& answer) {
+  return rows_failed{{row.key}, sentence_of(answer), answer.retry_after_ns.value_or(0)};
+}
+
 event take_mission(const outbox_row& row, const service_answer& answer) {
   auto mission = mission_in(answer, row.mission_id);
+  if (!mission && row.is_flown)
+    return try_again(row, answer);
   if (!mission)
     return change_failed{row.key, change_verdict::unknown, mission.error().reason};
   return change_done{row.key, std::move(*mission)};
@@ -36,13 +43,18 @@ event outcome_of_change(const outbox_row& row, const service_answer& answer, std
   case judgement::success:
     return take_mission(row, answer);
   case judgement::transient:
-    return try_again_or_fail(row, answer, wall_ns);
+    return row.is_flown ? try_again(row, answer) : try_again_or_fail(row, answer, wall_ns);
   case judgement::gone:
     return mission_gone{row.mission_id};
   case judgement::conflict:
     return change_failed{row.key, change_verdict::stale, sentence_of(answer)};
   case judgement::bad_answer:
-    return change_failed{row.key, change_verdict::unknown, sentence_of(answer)};
+    return row.is_flown ? try_again(row, answer) : change_failed{row.key, change_verdict::unknown, sentence_of(answer)};
+  case judgement::not_allowed:
+  case judgement::misconfigured:
+    if (row.is_flown)
+      return try_again(row, answer);
+    [[fallthrough]];
   default:
     return change_failed{row.key, change_verdict::refused, sentence_of(answer)};
   }

@@ -43,6 +43,7 @@ void take(decision_context& t, const mission_fetched& m) {
     go_on_behind(t, note, *earlier);
   }
   note.asks_progress = false;
+  note_known_items(t, m.document);
   s.refused.reset();
   s.revision = m.document.revision;
   s.asks_after = m.document.revision;
@@ -113,6 +114,7 @@ void take(decision_context& t, const mission_looked_up& m) {
   s.looks_up = false;
   if (!m.document)
     return;
+  note_known_items(t, *m.document);
   s.schema_version = m.document->schema_version;
   s.last_fetch_ns = t.now_ns;
   if (s.revision == 0 || m.document->revision <= s.revision)

@@ -12,12 +12,6 @@ namespace godwit::mission_client {
 
 namespace {
 
-void remember(state& s, const std::string& key) {
-  if (s.resolved_keys.size() >= max_resolved_keys)
-    s.resolved_keys.erase(s.resolved_keys.begin());
-  s.resolved_keys.push_back(key);
-}
-
 // The service has the outcome: the assignment is not open any more.
 void close_assignment(state& s, const outbox_row& row) {
   if (row.to == destination::assignment_response)
@@ -34,7 +28,7 @@ void remove_rows(decision_context& t, const std::vector<std::string>& keys, note
       return false;
     ++t.s.resolved_rows;
     if (each.to != destination::progress) // a report is known by its number
-      remember(t.s, each.key);
+      remember(t.s, each.is_flown ? flown_key(each.key) : each.key);
     close_assignment(t.s, each);
     t.tell(row_noted{each, how});
     return true;
@@ -43,8 +37,9 @@ void remove_rows(decision_context& t, const std::vector<std::string>& keys, note
 
 void expire_or_wait(decision_context& t, const std::vector<outbox_row*>& failed, std::int64_t retry_after_ns) {
   const auto& head = *failed.front();
-  const auto pause = is_change(head.to) ? change_pause_ns(head.tries, head.key, retry_after_ns)
-                                        : pause_ns(head.tries, head.key, retry_after_ns);
+  const auto pause = head.is_flown        ? flown_pause_ns(head.tries, head.key, retry_after_ns)
+                     : is_change(head.to) ? change_pause_ns(head.tries, head.key, retry_after_ns)
+                                          : pause_ns(head.tries, head.key, retry_after_ns);
   if (is_change(head.to) || !has_expired(head.first_failure_ns, t.now_ns)) {
     for (auto* each : failed) {
       each->next_try_ns = t.now_ns + pause;
@@ -74,23 +69,16 @@ void grow(state& s, const outbox_row& delivered) {
   note.set_limit(delivered.to, limit >= largest_batch / 2 ? 0 : limit * 2);
 }
 
-void take_change(decision_context& t, const std::string& mission_id, destination to, const std::string& key,
-                 std::string body) {
-  if (is_repetition(t.s, key))
-    return;
-  if (is_deleted(t.s, mission_id)) {
-    remember(t.s, key);
-    t.tell(change_outcome{key, change_verdict::refused, std::string(mission_is_deleted)});
-  } else if (!add_row(t, {.key = key, .to = to, .mission_id = mission_id, .body = std::move(body)}, outbox_reserve)) {
-    remember(t.s, key);
-    t.tell(change_outcome{key, change_verdict::refused, "too much waits for the missions service"});
-  }
-}
-
 } // namespace
 
 bool is_repetition(const state& s, const std::string& key) {
   return find_row(s.rows, key) != nullptr || std::ranges::find(s.resolved_keys, key) != s.resolved_keys.end();
+}
+
+void remember(state& s, const std::string& key) {
+  if (s.resolved_keys.size() >= max_resolved_keys)
+    s.resolved_keys.erase(s.resolved_keys.begin());
+  s.resolved_keys.push_back(key);
 }
 
 bool add_row(decision_context& t, outbox_row row, std::size_t reserve) {
@@ -136,6 +124,8 @@ void take(decision_context& t, const respond_to_assignment& m) {
   auto& s = t.s;
   const auto& key = m.response.idempotency_key;
   auto response = m.response;
+  if (response.last_progress && is_left_out(note_of(s, m.mission_id), *response.last_progress))
+    response.last_progress.reset();
   if (response.last_progress)
     response.last_progress->report_no = number_at_service(note_of(s, m.mission_id), response.last_progress->report_no);
   if (is_repetition(s, key) || !add_row(t,
@@ -155,14 +145,6 @@ void take(decision_context& t, const respond_to_assignment& m) {
   }
   if (is_deleted(s, m.mission_id))
     give_up(t, key, row_state::orphaned, std::string(mission_is_deleted));
-}
-
-void take(decision_context& t, const insert_waypoint& m) {
-  take_change(t, m.mission_id, destination::waypoint, m.insert.idempotency_key, mission::to_text(m.insert));
-}
-
-void take(decision_context& t, const replace_tail& m) {
-  take_change(t, m.mission_id, destination::tail, m.tail.idempotency_key, mission::to_text(m.tail));
 }
 
 void take(decision_context& t, const batch_planned& m) {
@@ -227,30 +209,6 @@ void take(decision_context& t, const rows_refused& m) {
     return;
   note_of(t.s, mission_id).set_done(to, true);
   add_store_operation(t.s, store_operation_kind::orphan_mission, mission_id, m.reason);
-}
-
-void take(decision_context& t, const change_done& m) {
-  auto& s = t.s;
-  if (find_row(s.rows, m.key) == nullptr)
-    return;
-  remove_row(t, m.key, noted_as::delivered);
-  if (s.mission_id == m.document.mission_id && m.document.revision > s.revision) {
-    s.revision = m.document.revision;
-    s.schema_version = m.document.schema_version;
-    t.tell(mission_loaded{load_cause::changed, m.document});
-  }
-  t.tell(change_outcome{m.key, change_verdict::done, {}});
-}
-
-void take(decision_context& t, const change_failed& m) {
-  auto* row = find_row(t.s.rows, m.key);
-  if (row == nullptr)
-    return;
-  row->last_error = cut_error(m.reason);
-  if (m.verdict != change_verdict::refused && row->mission_id == t.s.mission_id)
-    t.s.looks_up = true;
-  remove_row(t, m.key, noted_as::dropped);
-  t.tell(change_outcome{m.key, m.verdict, m.reason});
 }
 
 void take(decision_context& t, const retry_outbox& m) {

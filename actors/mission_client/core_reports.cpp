@@ -1,6 +1,9 @@
 // How reports are numbered for the service: without a gap, and on from what it has, also where it has more than this
 // journal.
 #include <algorithm>
+#include <optional>
+#include <string_view>
+#include <unordered_set>
 #include <utility>
 
 #include "actors/domain/mission/read.hpp"
@@ -58,7 +61,81 @@ std::string key_of(const std::string& key, std::uint32_t number_at_service) {
   return derived_key({key, std::to_string(number_at_service)});
 }
 
+bool waits_behind(const outbox_row& row, const mission_note& note, std::uint64_t order) {
+  return row.mission_id == note.mission_id && row.state == row_state::pending && row.order > order;
+}
+
+// Under another key, and out when this is on the disk.
+void put_number(decision_context& t, outbox_row& row, progress_report& report, std::uint32_t number) {
+  report.report_no = number;
+  row.key = key_of(row.key, number);
+  row.body = mission::to_text(report);
+  row.order = t.s.next_order++;
+  t.tell(row_noted{row, noted_as::waiting});
+}
+
+void leave_out_of_responses(decision_context& t, const mission_note& note, std::uint64_t order) {
+  for (auto& row : t.s.rows) {
+    if (row.to != destination::assignment_response || !waits_behind(row, note, order))
+      continue;
+    auto response = mission::read<mission::assignment_response>(row.body);
+    GODWIT_ASSERT(response.has_value(), "a response in the outbox is one");
+    if (!response->last_progress || !is_left_out(note, *response->last_progress))
+      continue;
+    response->last_progress.reset();
+    row.body = mission::to_text(*response);
+    row.order = t.s.next_order++;
+    t.tell(row_noted{row, noted_as::waiting});
+  }
+}
+
 } // namespace
+
+bool is_left_out(const mission_note& note, const progress_report& report) {
+  return report.item_id && std::ranges::find(note.left_out, *report.item_id) != note.left_out.end();
+}
+
+void leave_items_out(decision_context& t, const std::string& mission_id, const std::vector<mission::item>& items,
+                     std::uint64_t order) {
+  auto& note = note_of(t.s, mission_id);
+  for (const auto& each : items)
+    note.left_out.push_back(mission::id_of(each));
+  if (note.left_out.size() > max_left_out)
+    note.left_out.erase(note.left_out.begin(), note.left_out.end() - static_cast<std::ptrdiff_t>(max_left_out));
+  leave_out_of_responses(t, note, order);
+  std::optional<std::uint32_t> number;
+  std::erase_if(t.s.rows, [&](outbox_row& row) {
+    if (row.to != destination::progress || !waits_behind(row, note, order))
+      return false;
+    auto report = mission::read<progress_report>(row.body);
+    GODWIT_ASSERT(report.has_value(), "a report in the outbox is one");
+    if (!number)
+      number = report->report_no - 1;
+    if (!is_left_out(note, *report) && report->report_no == *number + 1) {
+      ++*number;
+      return false;
+    }
+    t.tell(row_noted{row, noted_as::dropped});
+    if (is_left_out(note, *report)) {
+      ++t.s.resolved_rows;
+      return true;
+    }
+    put_number(t, row, *report, ++*number);
+    return false;
+  });
+  if (number)
+    note.service_report_no = *number;
+}
+
+void note_known_items(decision_context& t, const mission::document& mission) {
+  auto& left_out = note_of(t.s, mission.mission_id).left_out;
+  if (left_out.empty())
+    return;
+  std::unordered_set<std::string_view> known;
+  for (const auto& each : mission.items)
+    known.insert(mission::id_of(each));
+  std::erase_if(left_out, [&](const std::string& each) { return known.contains(each); });
+}
 
 std::uint32_t number_at_service(const mission_note& note, std::uint32_t report_no) {
   const auto behind = note.last_report_no > report_no ? note.last_report_no - report_no : 0;
@@ -81,11 +158,7 @@ void go_on_behind(decision_context& t, mission_note& note, const earlier_reports
       ++t.s.resolved_rows;
       return true;
     }
-    report->report_no = ++note.service_report_no;
-    row.key = key_of(row.key, report->report_no);
-    row.body = mission::to_text(*report);
-    row.order = t.s.next_order++; // it goes out when this is on the disk
-    t.tell(row_noted{row, noted_as::waiting});
+    put_number(t, row, *report, ++note.service_report_no);
     return false;
   });
 }
@@ -97,7 +170,7 @@ void take(decision_context& t, const report_progress& m) {
     return;
   auto report = m.report;
   const auto missing = reports_missing(note, report.report_no);
-  if (!is_news(note, report)) {
+  if (is_left_out(note, report) || !is_news(note, report)) {
     note.lost_reports += missing;
     note.last_report_no = m.report.report_no;
     return;

@@ -47,10 +47,20 @@ void take(decision_context& t, const progress_told& m);
 // At the service, of a report that was taken.
 [[nodiscard]] std::uint32_t number_at_service(const mission_note& note, std::uint32_t report_no);
 
+// The service will not have these items of a change that the vehicle flies, the row of which stood at ORDER: reports of
+// them are not sent, and the later ones follow without a gap. None of them was sent before: they waited for the change.
+void leave_items_out(decision_context& t, const std::string& mission_id, const std::vector<mission::item>& items,
+                     std::uint64_t order);
+[[nodiscard]] bool is_left_out(const mission_note& note, const mission::progress_report& report);
+// It has these.
+void note_known_items(decision_context& t, const mission::document& mission);
+
 // -- core_outbox.cpp ------------------------------------------------------------------------------
 
 // Whether this key is known already, delivered or not.
 [[nodiscard]] bool is_repetition(const state& s, const std::string& key);
+// One of the last that were resolved.
+void remember(state& s, const std::string& key);
 // ROW's identity and content; the rest is filled in. False: there is no room, which is counted.
 [[nodiscard]] bool add_row(decision_context& t, outbox_row row, std::size_t reserve);
 // The row leaves the outbox.
@@ -69,8 +79,6 @@ template <class Matches>
 }
 
 void take(decision_context& t, const respond_to_assignment& m);
-void take(decision_context& t, const insert_waypoint& m);
-void take(decision_context& t, const replace_tail& m);
 void take(decision_context& t, const retry_outbox& m);
 void take(decision_context& t, const rows_delivered& m);
 void take(decision_context& t, const rows_failed& m);
@@ -78,8 +86,15 @@ void take(decision_context& t, const rows_refused& m);
 void take(decision_context& t, const batch_planned& m);
 void take(decision_context& t, const batch_empty& m);
 void take(decision_context& t, const batch_returned& m);
+void take(decision_context& t, const clock_jumped& m);
+
+// -- core_changes.cpp ------------------------------------------------------------------------------
+
+// Under which one that is flown is remembered as resolved: it may have failed before as one that was waited for.
+[[nodiscard]] std::string flown_key(const std::string& key);
+void take(decision_context& t, const insert_waypoint& m);
+void take(decision_context& t, const replace_tail& m);
 void take(decision_context& t, const change_done& m);
 void take(decision_context& t, const change_failed& m);
-void take(decision_context& t, const clock_jumped& m);
 
 } // namespace godwit::mission_client

@@ -23,6 +23,13 @@ std::vector<std::string> all_behind(const state& s, const std::string& key) {
   return result;
 }
 
+// A call into silence must not keep the next one waiting; a long body gets the time that it needs on a slow line.
+std::chrono::milliseconds flown_timeout(std::size_t bytes) {
+  constexpr std::size_t slowest_bytes_per_s = 16'384;
+  return std::chrono::ceil<std::chrono::milliseconds>(std::chrono::nanoseconds(change_window_ns)) +
+         std::chrono::seconds(bytes / slowest_bytes_per_s);
+}
+
 store::destination destination_of(destination to) {
   return to == destination::observations ? store::destination::observations : store::destination::ignored_items;
 }
@@ -48,6 +55,9 @@ void deliveries::plan(planning_context& d) {
   const auto known = heads_of(d.s);
   for (const auto& [id, head] : known)
     plan_lane(d, lanes_[id], *head);
+  for (const auto& each : d.s.rows) // one that stands in its lane after another has its time, too
+    if (is_waited_for(each) && known.at({each.to, each.mission_id}) != &each)
+      static_cast<void>(is_too_late(d, each));
   plan_batches(d, known);
   std::erase_if(lanes_, [&](const auto& each) { return each.second.waiting == 0 && !known.contains(each.first); });
   for (const auto to : {destination::progress, destination::assignment_response, destination::waypoint,
@@ -57,9 +67,12 @@ void deliveries::plan(planning_context& d) {
 }
 
 void deliveries::plan_lane(planning_context& d, lane& l, const outbox_row& head) {
-  if (is_change(head.to) && is_too_late(d, l, head))
+  if (is_waited_for(head) && is_too_late(d, head)) {
+    if (l.waiting != 0)
+      d.cancel(std::exchange(l.waiting, 0));
     return;
-  if (l.waiting != 0 || l.is_blocked || head.order >= on_disk_below_)
+  }
+  if (l.waiting != 0 || l.is_blocked || head.order >= std::min(on_disk_below_, held_back_from(d.s.rows, head)))
     return;
   if (head.to == destination::progress && asks_progress(d.s, head.mission_id))
     return; // its number is not sure yet
@@ -72,15 +85,13 @@ void deliveries::plan_lane(planning_context& d, lane& l, const outbox_row& head)
 }
 
 // Its two seconds are over, in this life or an earlier one.
-bool deliveries::is_too_late(planning_context& d, lane& l, const outbox_row& head) {
-  const auto deadline_ns = head.created_ns + change_window_ns;
+bool deliveries::is_too_late(planning_context& d, const outbox_row& change) {
+  const auto deadline_ns = change.created_ns + change_window_ns;
   if (d.now.wall_ns < deadline_ns) {
     d.wake_at_wall(deadline_ns);
     return false;
   }
-  if (l.waiting != 0)
-    d.cancel(std::exchange(l.waiting, 0));
-  d.happened(change_failed{head.key, change_verdict::unknown, "the service did not answer within 2 s"});
+  d.happened(change_failed{change.key, change_verdict::unknown, "the service did not answer within 2 s"});
   return true;
 }
 
@@ -110,17 +121,20 @@ void deliveries::start(planning_context& d, lane& l, const outbox_row& head) {
     return ask(d, l, store::take_batch{head.key, head.mission_id, destination_of(head.to), limit});
   }
   const auto cut = cut_from(d.s.rows, head, head.to == destination::progress ? reports_per_call : 1);
+  const auto below = std::min(on_disk_below_, held_back_from(d.s.rows, head));
   l.keys.clear();
   for (const auto* each : cut)
-    if (each->order < on_disk_below_)
+    if (each->order < below)
       l.keys.push_back(each->key);
   const std::vector<const outbox_row*> rows(cut.begin(), cut.begin() + static_cast<std::ptrdiff_t>(l.keys.size()));
   auto call = head.to == destination::progress ? post_progress(d.set, rows) : post_row(d.set, head);
-  if (is_change(head.to)) {
+  if (is_waited_for(head)) {
     const auto left_ns = head.created_ns + change_window_ns - d.now.wall_ns;
     const std::chrono::nanoseconds left(std::min(left_ns, change_window_ns)); // the clock may have been set meanwhile
     call.total_timeout = std::max(std::chrono::ceil<std::chrono::milliseconds>(left), std::chrono::milliseconds(1));
     call.read_timeout = call.total_timeout;
+  } else if (head.is_flown) {
+    call.total_timeout = call.read_timeout = flown_timeout(head.body.size());
   }
   post(d, l, std::move(call));
 }

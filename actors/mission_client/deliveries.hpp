@@ -64,7 +64,7 @@ private:
 
   [[nodiscard]] static heads heads_of(const state& s);
   void plan_lane(planning_context& d, lane& l, const outbox_row& head);
-  [[nodiscard]] static bool is_too_late(planning_context& d, lane& l, const outbox_row& head);
+  [[nodiscard]] static bool is_too_late(planning_context& d, const outbox_row& change);
   void plan_batches(planning_context& d, const heads& known);
   void start(planning_context& d, lane& l, const outbox_row& head);
   void post(planning_context& d, lane& l, service_call call);

@@ -6,8 +6,8 @@ namespace godwit::mission_client {
 
 namespace {
 
-mission::observation_kind kind_of(mapobjects_store::observation_kind kind) {
-  switch (kind) {
+mission::observation_kind kind_of(mapobjects_store::observation_kind what) {
+  switch (what) {
   case mapobjects_store::observation_kind::found:
     return mission::observation_kind::fresh;
   case mapobjects_store::observation_kind::moved:

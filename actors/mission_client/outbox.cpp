@@ -1,6 +1,7 @@
 #include "actors/mission_client/outbox.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "io/fields/utf8.hpp"
 
@@ -30,6 +31,17 @@ outbox_counts count_rows(const std::vector<outbox_row>& rows, std::string_view m
     result.expired += each.state == row_state::expired ? 1 : 0;
   }
   return result;
+}
+
+std::uint64_t held_back_from(const std::vector<outbox_row>& rows, const outbox_row& row) {
+  constexpr auto never = std::numeric_limits<std::uint64_t>::max();
+  if (is_map(row.to))
+    return never;
+  const auto found = std::ranges::find_if(rows, [&](const outbox_row& each) {
+    const bool goes_first = each.is_flown || (each.to == destination::assignment_response && is_change(row.to));
+    return goes_first && each.state == row_state::pending && each.mission_id == row.mission_id;
+  });
+  return found == rows.end() ? never : found->order + 1;
 }
 
 bool is_waiting(const std::vector<outbox_row>& rows, destination to, std::string_view mission_id) {

@@ -9,7 +9,9 @@
 //    └──────────────── a person queues it again ──────────────┘
 //
 // Rows of one mission and one destination are a lane: they go out one after the other, and lanes know nothing of each
-// other. A change that somebody waits for (waypoint, tail) is never orphaned or expired: it fails, and is gone.
+// other. Only a change that the vehicle flies already (is_flown) stands between them: it goes out after all responses
+// of before it, and nothing of its mission that came later goes out before it. A change (waypoint, tail) is never
+// orphaned or expired: it fails, and is gone.
 //
 // Times are nanoseconds since 1970 (UTC). Thread: pure.
 #pragma once
@@ -64,6 +66,7 @@ struct outbox_row {
   std::int64_t next_try_ns = 0;
   std::int64_t first_failure_ns = 0; // 0: it has not failed yet
   row_state state = row_state::pending;
+  bool is_flown = false;  // a change that the vehicle flies already: kept until the service has it
   bool goes_back = false; // of the map: the service will not have it under this key; the store gets its rows back
   static constexpr auto fields =
       io::table("mission_client.outbox_row", io::field("key", &outbox_row::key), io::field("to", &outbox_row::to),
@@ -72,8 +75,11 @@ struct outbox_row {
                 io::field("created_ns", &outbox_row::created_ns), io::field("tries", &outbox_row::tries),
                 io::field("last_error", &outbox_row::last_error), io::field("next_try_ns", &outbox_row::next_try_ns),
                 io::field("first_failure_ns", &outbox_row::first_failure_ns), io::field("state", &outbox_row::state),
-                io::field("goes_back", &outbox_row::goes_back));
+                io::field("goes_back", &outbox_row::goes_back), io::field("is_flown", &outbox_row::is_flown));
 };
+
+// Somebody waits for the answer.
+[[nodiscard]] inline bool is_waited_for(const outbox_row& row) { return is_change(row.to) && !row.is_flown; }
 
 // 3 h of reports, two a second, for a service that is down: 10 MB of state.
 inline constexpr std::size_t max_outbox_rows = 20'000;
@@ -97,6 +103,9 @@ struct outbox_counts {
 [[nodiscard]] outbox_row* find_row(std::vector<outbox_row>& rows, std::string_view key);
 [[nodiscard]] const outbox_row* find_row(const std::vector<outbox_row>& rows, std::string_view key);
 [[nodiscard]] outbox_counts count_rows(const std::vector<outbox_row>& rows, std::string_view mission_id = {});
+// A bound of order: rows of ROW's kind and mission from here on wait, because what stands there has to be at the
+// service first, which then knows their items and their revision.
+[[nodiscard]] std::uint64_t held_back_from(const std::vector<outbox_row>& rows, const outbox_row& row);
 // Whether a row waits in this lane.
 [[nodiscard]] bool is_waiting(const std::vector<outbox_row>& rows, destination to, std::string_view mission_id);
 // The pending rows of ROW's lane from ROW on, at most LIMIT, as they go out together.

@@ -37,6 +37,11 @@ std::int64_t change_pause_ns(std::uint32_t failed, std::string_view key, std::op
   return at_least(jittered(grown(first_change_pause_ns, failed), failed, key), retry_after_ns);
 }
 
+std::int64_t flown_pause_ns(std::uint32_t failed, std::string_view key, std::optional<std::int64_t> retry_after_ns) {
+  const auto pause = std::min(grown(first_pause_ns, failed), longest_flown_pause_ns);
+  return at_least(jittered(pause, failed, key), retry_after_ns);
+}
+
 bool is_due(std::int64_t next_try_ns, std::int64_t now_ns) {
   return next_try_ns <= now_ns || next_try_ns - now_ns > longest_retry_after_ns;
 }

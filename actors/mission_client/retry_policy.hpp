@@ -23,6 +23,8 @@ inline constexpr std::int64_t delivery_window_ns = 24 * 3'600 * second_ns;
 // Somebody waits for a change: three tries within two seconds.
 inline constexpr std::uint32_t change_tries = 3;
 inline constexpr std::int64_t change_window_ns = 2 * second_ns;
+// Of one that the vehicle flies already: with a try of change_window_ns, a service that is back has it within 5 s.
+inline constexpr std::int64_t longest_flown_pause_ns = 2 * second_ns;
 inline constexpr std::int64_t first_change_pause_ns = second_ns / 5;
 
 // After the FAILED-th failure in a row (from 1 on): 1 s, 2 s, 4 s, ... up to the longest, changed by at most a fifth.
@@ -32,6 +34,10 @@ inline constexpr std::int64_t first_change_pause_ns = second_ns / 5;
 // The same for a change: 0.2 s, 0.4 s.
 [[nodiscard]] std::int64_t change_pause_ns(std::uint32_t failed, std::string_view key,
                                            std::optional<std::int64_t> retry_after_ns = {});
+
+// The same for a change that is flown: 1 s, then the longest.
+[[nodiscard]] std::int64_t flown_pause_ns(std::uint32_t failed, std::string_view key,
+                                          std::optional<std::int64_t> retry_after_ns = {});
 
 // Whether a row whose time is NEXT_TRY_NS may be tried. One that lies further ahead than a pause can be long was noted
 // under a clock that has been set back since; it is due.

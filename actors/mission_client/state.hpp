@@ -43,6 +43,9 @@ inline constexpr std::size_t max_resolved_keys = 256;
 // One for each mission and kind.
 inline constexpr std::size_t max_store_operations = 2 * max_mission_notes;
 
+// Items that are not reported; the oldest are forgotten.
+inline constexpr std::size_t max_left_out = 10'000;
+
 struct mission_note {
   std::string mission_id;
   bool is_deleted = false;
@@ -58,9 +61,10 @@ struct mission_note {
   // The service's last one, where it had more than this journal: what it has is not told again. Until a report of a
   // newer generation comes.
   std::optional<mission::progress_report> service_report = {};
-  std::uint32_t lost_reports = 0;  // that did not come here, or for which there was no room
-  std::uint32_t seen_limit = 0;    // rows of the next batch, because larger ones were refused; 0: as it is set
-  std::uint32_t ignored_limit = 0; // the same of ignored items
+  std::vector<std::string> left_out = {}; // items of changes that the service will not have: they are not reported
+  std::uint32_t lost_reports = 0;         // that did not come here, or for which there was no room
+  std::uint32_t seen_limit = 0;           // rows of the next batch, because larger ones were refused; 0: as it is set
+  std::uint32_t ignored_limit = 0;        // the same of ignored items
   static constexpr auto fields = io::table(
       "mission_client.mission_note", io::field("mission_id", &mission_note::mission_id),
       io::field("is_deleted", &mission_note::is_deleted), io::field("is_pushing", &mission_note::is_pushing),
@@ -70,7 +74,7 @@ struct mission_note {
       io::field("service_report_no", &mission_note::service_report_no),
       io::field("sure_report_no", &mission_note::sure_report_no),
       io::field("asks_progress", &mission_note::asks_progress),
-      io::field("service_report", &mission_note::service_report),
+      io::field("service_report", &mission_note::service_report), io::field("left_out", &mission_note::left_out),
       io::field("lost_reports", &mission_note::lost_reports), io::field("seen_limit", &mission_note::seen_limit),
       io::field("ignored_limit", &mission_note::ignored_limit));
 

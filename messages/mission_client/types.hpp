@@ -67,21 +67,25 @@ struct respond_to_assignment {
                 io::field("response", &respond_to_assignment::response));
 };
 
-// Somebody waits: at most three tries within 2 s, then it has failed. Answered by change_outcome.
+// Somebody waits: at most three tries within 2 s, then it has failed. Answered by change_outcome. IS_FLOWN, with the
+// same key: the vehicle flies it without an answer. Then it is kept until the service has it, before all changes and
+// reports that come later.
 struct insert_waypoint {
   std::string mission_id;
   mission::waypoint_insert insert; // its idempotency_key is the key
+  bool is_flown = false;
   static constexpr auto fields =
       io::table("mission_client.insert_waypoint", io::field("mission_id", &insert_waypoint::mission_id),
-                io::field("insert", &insert_waypoint::insert));
+                io::field("insert", &insert_waypoint::insert), io::field("is_flown", &insert_waypoint::is_flown));
 };
 
 struct replace_tail {
   std::string mission_id;
   mission::tail tail; // its idempotency_key is the key
+  bool is_flown = false;
   static constexpr auto fields =
       io::table("mission_client.replace_tail", io::field("mission_id", &replace_tail::mission_id),
-                io::field("tail", &replace_tail::tail));
+                io::field("tail", &replace_tail::tail), io::field("is_flown", &replace_tail::is_flown));
 };
 
 // The operator fetched what was needed, or the address of the service was mended: what is pending is tried now, what is

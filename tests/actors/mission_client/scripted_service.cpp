@@ -227,10 +227,16 @@ service_answer scripted_service::page(service_mission& m, const std::string& res
   return plain(200, mission::to_text(result));
 }
 
+void scripted_service::note_items(service_mission& m) {
+  for (const auto& each : m.document.items)
+    m.item_ids.insert(mission::id_of(each));
+}
+
 service_answer scripted_service::take_progress(service_mission& m, const std::string& body) {
   const auto batch = mission::read<mission::progress_batch>(body);
   if (!batch)
     return problem(422, "the batch is wrong");
+  note_items(m); // tests put items into the document as well
   auto reports = m.reports;
   std::uint32_t repeated = 0;
   for (const auto& each : batch->reports) {
@@ -240,6 +246,10 @@ service_answer scripted_service::take_progress(service_mission& m, const std::st
     }
     if (each.report_no != reports.size() + 1)
       return problem(409, "a gap");
+    if (each.item_id && !m.item_ids.contains(*each.item_id)) {
+      ++unknown_items;
+      return problem(422, "an item that the mission never had");
+    }
     reports.push_back(each);
   }
   const auto stored = static_cast<std::uint32_t>(reports.size() - m.reports.size());
@@ -273,8 +283,9 @@ service_answer scripted_service::take_change(service_mission& m, const service_c
   auto& all = m.document.items;
   const auto place = all.begin() + static_cast<std::ptrdiff_t>(*at);
   all.insert(is_tail ? all.erase(place, all.end()) : place, items.begin(), items.end());
-  ++m.document.revision;
+  m.document.revision += numbers_by;
   ++m.changes;
+  note_items(m);
   return plain(200, mission::to_text(m.document));
 }
 

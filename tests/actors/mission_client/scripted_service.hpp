@@ -79,7 +79,8 @@ struct service_mission {
   std::map<std::string, mission::ignored_item> ignored;          // by id
   std::vector<mission::map_object> map_objects;                  // what is pulled
   std::vector<mission::ignored_item> map_ignored;
-  int changes = 0; // inserts and tails that took effect
+  int changes = 0;                  // inserts and tails that took effect
+  std::set<std::string> item_ids{}; // that it has or had
 };
 
 class scripted_service {
@@ -95,12 +96,14 @@ public:
   std::vector<planned_fault> faults;
   std::int64_t latency_ns = 20'000'000;
   std::uint32_t page_rows = 1'000'000; // of a page at most, beside what is asked for
+  std::int32_t numbers_by = 1;         // a change raises the revision by so much: others have changed it, too
   bool knows_progress_call = true;     // GET .../progress; an older service does not
   std::set<std::string> poison;        // ids of observations that it will never take
 
   // What was seen.
   std::map<std::string, int> calls; // by "GET /missions/ID/..." without the query
   int other_bodies = 0;             // known keys with another body: never
+  int unknown_items = 0;            // reports that name an item which the mission never had: never
   std::uint64_t repeated_rows = 0;
   int at_once = 0; // most posts of one lane that were under way at the same time: never above 1
   [[nodiscard]] int count(const std::string& part) const;
@@ -126,6 +129,7 @@ private:
   [[nodiscard]] std::optional<service_answer> handle(const service_call& call, bool may_wait);
   [[nodiscard]] service_answer handle_post(service_mission& m, const service_call& call, const std::string& rest);
   [[nodiscard]] service_answer page(service_mission& m, const std::string& rest, const std::string& query);
+  static void note_items(service_mission& m);
   [[nodiscard]] service_answer take_progress(service_mission& m, const std::string& body);
   [[nodiscard]] service_answer take_change(service_mission& m, const service_call& call, bool is_tail);
   [[nodiscard]] service_answer take_response(service_mission& m, const std::string& id, const std::string& body);

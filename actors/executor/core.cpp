@@ -43,7 +43,7 @@ bool finds_other_plan(const effects& what) {
 // -- the arbiter ------------------------------------------------------------------------------------
 
 // The first that has something to do keeps the others waiting. Above: who has the vehicle, and words that stop it.
-const std::array<core::rule, 17> core::rules{
+const std::array<core::rule, 18> core::rules{
     &core::look,              // a new incarnation, at the vehicle
     &core::heed,              // somebody else has it, or may have
     &core::come_home,         // around the fences
@@ -54,6 +54,7 @@ const std::array<core::rule, 17> core::rules{
     &core::stand_by,          // left in its mission mode, disarmed
     &core::keep_home,         // where a return leads
     &core::answer_assignment, // of the service
+    &core::fly_unanswered,    // a change that the service has not answered
     &core::deploy_arrived,    // a new revision, in flight
     &core::follow_started,    // our plan is flown, and nobody here has started it
     &core::take_back,         // an operator has handed the vehicle back
@@ -85,8 +86,11 @@ effects core::on_client_back() {
 }
 
 std::int64_t core::next_deadline_ns(instant now) const {
-  return std::min(
-      {flight_.runner.next_deadline_ns(), homecoming_.next_deadline_ns(), now.now_ns + check_period_ns / 2});
+  auto next_ns =
+      std::min({flight_.runner.next_deadline_ns(), homecoming_.next_deadline_ns(), now.now_ns + check_period_ns / 2});
+  if (changes_.next_deadline_ns() > now.now_ns) // past it, it waits for the vehicle
+    next_ns = std::min(next_ns, changes_.next_deadline_ns());
+  return next_ns;
 }
 
 // What follows from a note is decided when it is applied.

@@ -180,7 +180,7 @@ public:
 private:
   // True: something is under way, and the rest waits.
   using rule = bool (core::*)(effects&, instant);
-  static const std::array<rule, 17> rules;
+  static const std::array<rule, 18> rules;
 
   [[nodiscard]] bool look(effects& out, instant now) { return recovery_.look(out, now); }
   [[nodiscard]] bool heed(effects& out, instant now) { return watch_.heed(out, now) || flight_.pending.is_pending(); }
@@ -192,6 +192,7 @@ private:
   [[nodiscard]] bool stand_by(effects& out, instant now) { return end_.leave_mission_mode(out, now); }
   [[nodiscard]] bool keep_home(effects& out, instant now) { return return_place_.advance(out, now); }
   [[nodiscard]] bool answer_assignment(effects& out, instant now) { return changes_.answer_assignment(out, now); }
+  [[nodiscard]] bool fly_unanswered(effects& out, instant now) { return changes_.fly_unanswered(out, now); }
   [[nodiscard]] bool deploy_arrived(effects& out, instant now) { return changes_.deploy_arrived(out, now); }
   [[nodiscard]] bool follow_started(effects& out, instant now) { return start_.follow(out, now); }
   [[nodiscard]] bool take_back(effects& out, instant) { return watch_.take_back(out); }

@@ -63,6 +63,8 @@ struct settings {
   // Behind a landing on the way, and whenever else this mission has flown before.
   start_policy takeoff_again = start_policy::on_command;
   refusal_policy refused_inserts = refusal_policy::go_on;
+  bool changes_need_service = false;    // a go-to, insert or cancel waits for its answer
+  std::int64_t service_wait_ms = 2'000; // else it is flown when there was none for so long
   deletion_policy deleted_mission = deletion_policy::go_on;
   scan_policy scans = scan_policy::with_survey;
   failsafe_gone_policy failsafe_gone = failsafe_gone_policy::come_home;

@@ -6,6 +6,7 @@
 
 #include "actors/domain/mission/version.hpp"
 #include "actors/domain/uuid/uuid.hpp"
+#include "actors/executor/state_changes.hpp"
 #include "actors/executor/station_plan.hpp"
 #include "io/mavlink/enums.hpp"
 
@@ -33,16 +34,6 @@ void give(durable_effects& out, const M& other) {
   out.emplace_back(other);
 }
 
-// With the mission back nothing is set aside any more.
-void resolve_change(state& s, bool is_done) {
-  if (!s.change)
-    return;
-  const bool has_mission_back = is_done == (s.change->kind == change_kind::cancel);
-  if (has_mission_back && s.change->kind != change_kind::insert && s.change->sets_aside)
-    s.set_aside.clear();
-  s.change.reset();
-}
-
 // What the station hears that has uploaded it in flight.
 void judge_upload(durable_effects& out, const state& s, ground_port::plan_verdict how) {
   if (s.brings && s.brings->is_upload)
@@ -61,9 +52,9 @@ void settle_deployment(durable_effects& out, state& s, std::uint32_t generation_
     s.mission = s.brings->mission;
     if (was_assigned)
       s.set_aside.clear(); // the service wants something else now
-    if (s.arrived && s.arrived->mission_id == s.mission->mission_id && s.arrived->revision <= s.mission->revision)
+    if (s.arrived && is_older_than_mission(s, *s.arrived))
       s.arrived.reset();
-    if (s.change && s.mission->revision > s.change->base_revision)
+    if (s.change && (s.change->is_flown || s.mission->revision > s.change->base_revision))
       resolve_change(s, true);
     if (s.brings->station)
       s.station = std::exchange(s.brings->station, {});
@@ -182,6 +173,7 @@ durable_effects take(state& s, const mission_arrived& happened, std::int64_t) {
   if (s.deleted_mission == happened.mission.mission_id)
     s.deleted_mission.clear();
   s.arrived = happened.mission;
+  s.is_arrived_ours = false;
   return {};
 }
 
@@ -189,6 +181,7 @@ durable_effects take(state& s, const mission_taken& happened, std::int64_t now_n
   if (!s.mission || s.mission->mission_id != happened.mission.mission_id) {
     s.awaits_word = progress::is_begun(s.progress, happened.mission.mission_id);
     s.awaits_person = false;
+    s.flown_changes.clear();
     s.home.reset();
     s.supervision.has_landed = false;
   }
@@ -256,15 +249,34 @@ durable_effects take(state& s, const change_asked& happened, std::int64_t) {
   note_items_of_upload(s);
   s.change = happened.what;
   s.change->sets_aside = !happened.set_aside.empty() || happened.what.kind == change_kind::cancel;
+  s.change->after_item_id = happened.after_item_id;
+  s.change->items = happened.items;
+  s.change->reason = happened.reason;
   if (!happened.set_aside.empty())
     s.set_aside = happened.set_aside;
-  const auto& id = s.mission->mission_id;
-  const auto& what = happened.what;
-  if (what.kind == change_kind::insert)
-    return {mission_client::insert_waypoint{
-        id, {what.key, what.base_revision, happened.after_item_id, happened.items.front()}}};
-  return {mission_client::replace_tail{
-      id, {what.key, what.base_revision, happened.after_item_id, happened.items, happened.reason}}};
+  return {order_for_service(s.mission->mission_id, *s.change)};
+}
+
+// The order is durable with the plan that follows, and so precedes all reports of it.
+durable_effects take(state& s, const change_flown& happened, std::int64_t) {
+  if (!s.change || s.change->key != happened.key)
+    return {};
+  s.change->is_flown = true;
+  s.arrived = happened.mission;
+  s.is_arrived_ours = true;
+  s.flown_changes.push_back({happened.key, happened.mission.revision});
+  return {order_for_service(happened.mission.mission_id, *s.change)};
+}
+
+durable_effects take(state& s, const change_stopped& happened, std::int64_t) {
+  if (s.change && s.change->key == happened.key)
+    stop_change(s);
+  return {};
+}
+
+durable_effects take(state& s, const change_answered& happened, std::int64_t) {
+  answer_flown_change(s, happened);
+  return {};
 }
 
 durable_effects take(state& s, const change_resolved& happened, std::int64_t) {
@@ -316,6 +328,8 @@ durable_effects take(state& s, const phase_status& happened, std::int64_t) {
     s.station->ids.clear();
   if (!needs_hand_back(happened.cause))
     s.person.reset();
+  else
+    stop_change(s);
   return {happened};
 }
 

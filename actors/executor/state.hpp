@@ -7,7 +7,8 @@
 //   mission_arrived, _taken, deletion_told: none
 //   assignment_kept, _rejected    the answer that turns it down
 //   station_plan_taken, _dropped, and station_fence_taken, station_rally_taken, last_line_brought: none
-//   change_asked                  what the service is to change; _resolved: none
+//   change_asked, change_flown    what the service is to change, and that it is flown without its answer
+//   change_stopped, change_answered, change_resolved: none
 //   task_begun, task_ended        none; a task is on the disk before its first order goes out, but for hold,
 //                                 return and stand down. Of an upload in flight plan_judged, as of its upload's end
 //   phase_status                  the flight's phase and why, to whoever watches
@@ -173,9 +174,19 @@ struct mission_change {
   change_kind kind = change_kind::go_to;
   std::int32_t base_revision = 0;
   bool sets_aside = false; // this one, and no earlier one, has set the rest of the mission aside; or brings it back
+  // What is flown when the service does not answer.
+  std::optional<std::string> after_item_id = {};
+  std::vector<mission::item> items = {};
+  std::string reason = {};
+  std::int64_t said_ns = 0; // by the operator, since 1970
+  bool is_flown = false;    // without an answer
+  bool is_stopped = false;  // since it was taken: its plan is brought, and not begun
   static constexpr auto fields = io::table(
       "executor.mission_change", io::field("key", &mission_change::key), io::field("kind", &mission_change::kind),
-      io::field("base_revision", &mission_change::base_revision), io::field("sets_aside", &mission_change::sets_aside));
+      io::field("base_revision", &mission_change::base_revision), io::field("sets_aside", &mission_change::sets_aside),
+      io::field("after_item_id", &mission_change::after_item_id), io::field("items", &mission_change::items),
+      io::field("reason", &mission_change::reason), io::field("said_ns", &mission_change::said_ns),
+      io::field("is_flown", &mission_change::is_flown), io::field("is_stopped", &mission_change::is_stopped));
 };
 
 // The service is told, and answers with change_outcome and the new revision.
@@ -189,6 +200,29 @@ struct change_asked {
       io::table("executor.change_asked", io::field("what", &change_asked::what),
                 io::field("after_item_id", &change_asked::after_item_id), io::field("items", &change_asked::items),
                 io::field("reason", &change_asked::reason), io::field("set_aside", &change_asked::set_aside));
+};
+
+// The service has not answered, and the vehicle flies MISSION, whose revision we have numbered. The service gets the
+// change before all reports that follow.
+struct change_flown {
+  std::string key;
+  mission::document mission;
+  static constexpr auto fields = io::table("executor.change_flown", io::field("key", &change_flown::key),
+                                           io::field("mission", &change_flown::mission));
+};
+
+// An operator has stopped the vehicle, or sent it on.
+struct change_stopped {
+  std::string key;
+  static constexpr auto fields = io::table("executor.change_stopped", io::field("key", &change_stopped::key));
+};
+
+// The service has it now, or never will: then our numbers from this change on are no revisions.
+struct change_answered {
+  std::string key;
+  bool has_it = false;
+  static constexpr auto fields = io::table("executor.change_answered", io::field("key", &change_answered::key),
+                                           io::field("has_it", &change_answered::has_it));
 };
 
 struct change_resolved {
@@ -326,6 +360,17 @@ struct home_commanded {
   static constexpr auto fields = io::table("executor.home_commanded", io::field("is_ours", &home_commanded::is_ours));
 };
 
+// Flown without the service's answer; REVISION is ours.
+struct flown_change {
+  std::string key;
+  std::int32_t revision = 0;
+  static constexpr auto fields = io::table("executor.flown_change", io::field("key", &flown_change::key),
+                                           io::field("revision", &flown_change::revision));
+};
+
+// Further ones are refused until the service has answered.
+inline constexpr std::size_t max_flown_changes = 32;
+
 // What the service wants while something else goes on. More are turned down.
 inline constexpr std::size_t max_waiting = 8;
 
@@ -337,6 +382,8 @@ struct state {
   std::optional<std::string> last_assignment; // that was answered, or will be with its upload
   std::uint32_t cut_off_uploads = 0;          // of the assignment under way: by a crash, and then tried again
   std::optional<mission_change> change;       // that the service was asked for, and has not resolved
+  std::vector<flown_change> flown_changes;    // that the service has not answered; oldest first, bounded
+  bool is_arrived_ours = false;               // `arrived` is of a change that is flown without its answer
   std::vector<mission::item> set_aside;       // by go_to: what the mission had left
   std::optional<station_plan> station;
   std::vector<mission::geofence> station_fences;
@@ -366,7 +413,8 @@ struct state {
       "executor.state", io::field("mission", &state::mission), io::field("arrived", &state::arrived),
       io::field("waiting", &state::waiting), io::field("assigned", &state::assigned),
       io::field("last_assignment", &state::last_assignment), io::field("cut_off_uploads", &state::cut_off_uploads),
-      io::field("change", &state::change), io::field("set_aside", &state::set_aside),
+      io::field("change", &state::change), io::field("flown_changes", &state::flown_changes),
+      io::field("is_arrived_ours", &state::is_arrived_ours), io::field("set_aside", &state::set_aside),
       io::field("station", &state::station), io::field("station_fences", &state::station_fences),
       io::field("station_rally", &state::station_rally), io::field("last_line", &state::last_line),
       io::field("brings", &state::brings), io::field("flown", &state::flown), io::field("doing", &state::doing),
@@ -393,10 +441,11 @@ struct durable_core {
                    progress::current_told, progress::reached_told, progress::came_down, progress::other_plan_found,
                    progress::vehicle_rebooted, preflight::checks_wanted, preflight::looked, preflight::acknowledged,
                    preflight::mission_changed, preflight::took_off, preflight::flight_ended, preflight::restarted,
-                   mission_arrived, mission_taken, arrival_refused, deletion_told, change_asked, change_resolved,
-                   assignment_kept, assignment_rejected, station_plan_taken, station_fence_taken, station_rally_taken,
-                   last_line_brought, station_plan_dropped, task_begun, task_ended, phase_status, station_took_over,
-                   start_resolved, supervision::failsafe_missed, home_kept, home_commanded, person_acted>;
+                   mission_arrived, mission_taken, arrival_refused, deletion_told, change_asked, change_flown,
+                   change_stopped, change_answered, change_resolved, assignment_kept, assignment_rejected,
+                   station_plan_taken, station_fence_taken, station_rally_taken, last_line_brought,
+                   station_plan_dropped, task_begun, task_ended, phase_status, station_took_over, start_resolved,
+                   supervision::failsafe_missed, home_kept, home_commanded, person_acted>;
   using effect = std::variant<mission_client::report_progress, mission_client::respond_to_assignment,
                               mission_client::insert_waypoint, mission_client::replace_tail, progress::look_at_vehicle,
                               progress::read_plan_back, progress::resolve_start, progress::progress_event,

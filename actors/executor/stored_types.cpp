@@ -5,8 +5,11 @@
 GODWIT_DEFINE_MESSAGE(godwit::executor::arrival_refused);
 GODWIT_DEFINE_MESSAGE(godwit::executor::assignment_kept);
 GODWIT_DEFINE_MESSAGE(godwit::executor::assignment_rejected);
+GODWIT_DEFINE_MESSAGE(godwit::executor::change_answered);
 GODWIT_DEFINE_MESSAGE(godwit::executor::change_asked);
+GODWIT_DEFINE_MESSAGE(godwit::executor::change_flown);
 GODWIT_DEFINE_MESSAGE(godwit::executor::change_resolved);
+GODWIT_DEFINE_MESSAGE(godwit::executor::change_stopped);
 GODWIT_DEFINE_MESSAGE(godwit::executor::home_commanded);
 GODWIT_DEFINE_MESSAGE(godwit::executor::home_kept);
 GODWIT_DEFINE_MESSAGE(godwit::executor::last_line_brought);

@@ -170,6 +170,8 @@ checked read_flight(const json& configuration, daemon_settings& to) {
   to.flight.brings_last_line = flight.at("last_line").get<bool>();
   to.flight.marks_landings = flight.at("marks_landings").get<bool>();
   to.flight.refused_inserts = io::value_of<executor::refusal_policy>(text(flight, "refused_inserts")).value();
+  to.flight.changes_need_service = flight.at("changes_need_service").get<bool>();
+  to.flight.service_wait_ms = flight.at("service_wait_ms").get<std::int64_t>();
   to.flight.deleted_mission = io::value_of<executor::deletion_policy>(text(flight, "deleted_mission")).value();
   to.flight.failsafe_gone = io::value_of<executor::failsafe_gone_policy>(text(flight, "failsafe_gone")).value();
   to.flight.checks.min_satellites = flight.at("min_satellites").get<std::int32_t>();

@@ -33,6 +33,7 @@ struct plan_change {
   bool leads_around = false;           // its way begins where the vehicle holds
   bool is_held_for = false;            // the vehicle was told to hold first
   std::int64_t held_since_ns = 0;      // 0: it was not seen to hold yet
+  std::int64_t said_ns = 0;            // monotonic
 };
 
 struct start_flight {

@@ -165,8 +165,8 @@ void operator_control::begin_halt(effects& out, instant now) {
 
 // An operator who says something else waits for the service no longer.
 void operator_control::drop_change(effects& out) {
-  if (flight_.s.change && !flight_.s.arrived)
-    out.emplace_back(note{change_resolved{flight_.s.change->key, false}});
+  if (flight_.s.change)
+    out.emplace_back(note{change_stopped{flight_.s.change->key}});
 }
 
 // -- resume -----------------------------------------------------------------------------------------

@@ -61,6 +61,10 @@ operators::answer plan_changes::take(const operators::command& m, instant now) {
     return refused(std::move(what.error()));
   if (auto why = why_not_changed(*what, now); !why.empty())
     return refused(std::move(why));
+  if (s.flown_changes.size() >= max_flown_changes)
+    return refused("the missions service has not answered " + std::to_string(max_flown_changes) +
+                   " changes yet; repeat the command when it is back");
+  what->said_ns = now.now_ns;
   if (flight_.is_journal_nearly_full && m.kind != command_kind::cancel)
     return refused(
         "the plan is not changed while so much waits for the journal's disk; repeat the command when it is written");
@@ -237,11 +241,13 @@ bool plan_changes::stands_for_change(effects& out, instant now) {
 // The way that was found when it was said began where the vehicle was then.
 void plan_changes::begin_from_here(effects& out, instant now) {
   auto& wanted = *flight_.wanted.change;
+  const auto said_ns = wanted.said_ns;
   auto here = wanted.kind == change_kind::go_to    ? go_there(*wanted.to, now)
               : wanted.kind == change_kind::cancel ? cancel(now)
                                                    : change_or_reason(wanted);
   if (!here)
     return drop(out, here.error());
+  here->said_ns = said_ns;
   if (here->leads_around && !wanted.leads_around) { // it has flown behind a fence since
     wanted = *std::move(here);
     static_cast<void>(begin_wanted(out, now));
@@ -266,9 +272,13 @@ void plan_changes::ask_for(effects& out, const plan_change& what, instant now) {
   asked.items = what.items;
   asked.reason = reason_for(what.kind);
   asked.set_aside = what.set_aside;
+  asked.what.said_ns = now.wall_ns - (now.now_ns - what.said_ns);
+  waits_for_.emplace(awaited{asked.what.key, fly_at_ns(what.said_ns, now)});
   out.emplace_back(note{std::move(asked)});
   if (!flight_.configured.has_service)
     out.emplace_back(note{mission_arrived{*std::move(revised)}});
+  else if (flight_.is_held() && what.kind != change_kind::insert)
+    phases_.go(out, trigger::held, "held: the missions service is asked for the change of the mission");
 }
 
 void plan_changes::drop(effects& out, const std::string& why) {
@@ -278,6 +288,8 @@ void plan_changes::drop(effects& out, const std::string& why) {
 
 effects plan_changes::on_change(const mission_client::change_outcome& m) {
   using mission_client::change_verdict;
+  if (is_flown_unanswered(m.key))
+    return on_answer_to_flown(m);
   if (!flight_.s.change || flight_.s.change->key != m.key)
     return {};
   const bool is_insert = flight_.s.change->kind == change_kind::insert;
@@ -285,6 +297,8 @@ effects plan_changes::on_change(const mission_client::change_outcome& m) {
     refused_inserts_ = 0;
     return {};
   }
+  if (m.verdict == change_verdict::unknown && may_fly_unanswered())
+    return {}; // as soon as its time is over
   effects out{announce{"the service does not change the mission: " + m.reason, true}};
   // It may have all the same: then the new revision comes as soon as the service answers, and who holds goes on with
   // it.
@@ -376,7 +390,7 @@ bool plan_changes::deploy_arrived(effects& out, instant now) {
     out.emplace_back(note{arrival_refused{s.arrived->revision}});
     return true;
   }
-  const bool was_asked_for = s.change && s.change->kind != change_kind::insert;
+  const bool was_asked_for = s.change && s.change->kind != change_kind::insert && !s.change->is_stopped;
   tasks_.begin_deploy(out, *s.arrived, *plan, {}, !flight_.is_held() || was_asked_for);
   return true;
 }

@@ -1,5 +1,14 @@
 // Changes of the plan in flight: what operators change (go there, cancel, insert), what the service assigns, and
-// revisions that come. The service numbers the revision; where there is none, we do. Pure. Thread: one at a time.
+// revisions that come. The service numbers the revision; where there is none, or none answers in time, we do.
+//
+//   command ──> held, stands ──> asked ──┬─ the service's revision ───────────────> flown
+//                                        ├─ refused ──────────────────────────────> not changed, held
+//                                        ├─ something else is commanded, or
+//                                        │  somebody else has the vehicle ────────> not changed
+//                                        └─ silent for flight.service_wait_ms ────> flown; the service is told until it
+//                                                                                   answers (state::flown_changes)
+//
+// Pure. Thread: one at a time.
 #pragma once
 
 #include <optional>
@@ -22,6 +31,9 @@ public:
   // A command of an operator.
   [[nodiscard]] operators::answer take(const operators::command& m, instant now);
   [[nodiscard]] bool begin_wanted(effects& out, instant now);
+  // The service has not answered for as long as it is waited for: until next_deadline_ns().
+  [[nodiscard]] bool fly_unanswered(effects& out, instant now);
+  [[nodiscard]] std::int64_t next_deadline_ns() const;
   [[nodiscard]] effects on_change(const mission_client::change_outcome& m);
   [[nodiscard]] effects on_assignment(const mission_client::assignment_arrived& m);
   // One at a time, and only while a plan may be changed.
@@ -54,6 +66,11 @@ private:
   [[nodiscard]] std::string why_not_changed(const plan_change& what, instant now) const;
   // Of the service, or by ourselves where there is none.
   void ask_for(effects& out, const plan_change& what, instant now);
+  [[nodiscard]] std::int64_t fly_at_ns(std::int64_t said_ns, instant now) const;
+  [[nodiscard]] bool may_fly_unanswered() const;
+  [[nodiscard]] bool is_wait_over(instant now);
+  [[nodiscard]] bool is_flown_unanswered(const std::string& key) const;
+  [[nodiscard]] effects on_answer_to_flown(const mission_client::change_outcome& m) const;
   void drop(effects& out, const std::string& why);
   [[nodiscard]] bool reject(effects& out, const mission::assignment& asked, const std::string& why);
   [[nodiscard]] bool take_on_ground(effects& out, const mission::assignment& asked, const mission::document& mission);
@@ -64,6 +81,11 @@ private:
   phase_machine& phases_;
   task_control& tasks_;
   int refused_inserts_ = 0; // in a row
+  struct awaited {
+    std::string key;
+    std::int64_t until_ns = 0; // monotonic
+  };
+  std::optional<awaited> waits_for_; // the answer to the change that was asked for last
 };
 
 } // namespace godwit::executor

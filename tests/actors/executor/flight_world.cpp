@@ -54,6 +54,8 @@ flight_world::flight_world(const options& wanted)
   settings_.arm_on_start = wanted.arm_on_start;
   settings_.takeoff_again = wanted.takeoff_again;
   settings_.refused_inserts = wanted.refused_inserts;
+  settings_.changes_need_service = wanted.changes_need_service;
+  settings_.service_wait_ms = wanted.service_wait_ms;
   settings_.deleted_mission = wanted.deleted_mission;
   settings_.shows_home = wanted.shows_home;
   settings_.brings_last_line = wanted.brings_last_line;
@@ -156,6 +158,25 @@ operators::answer flight_world::say(const operators::command& what) {
   auto answer = core_->on_operator(said, now());
   run_until_idle();
   return answer;
+}
+
+// As mission_client does it: a service that is silent for 2 s is one whose answer is not known.
+void flight_world::take_change(const std::string& key, bool is_flown, const std::optional<std::string>& after,
+                               const std::vector<mission::item>& items, bool keeps_rest) {
+  if (is_flown)
+    return flown_changes_.push_back({key, reports_.size(), time_.now_ns()});
+  asked_changes_.push_back({key, reports_.size(), time_.now_ns()});
+  if (!is_service_silent_)
+    return change_mission(key, after, items, keeps_rest);
+  constexpr std::int64_t window_ns = 2'000'000'000;
+  time_.at(time_.now_ns() + window_ns,
+           [this, key] { answer_change(key, mission_client::change_verdict::unknown, "it did not answer"); });
+}
+
+void flight_world::answer_change(const std::string& key, mission_client::change_verdict verdict,
+                                 const std::string& reason) {
+  take(core_->on_change({key, verdict, reason}, now()));
+  run_until_idle();
 }
 
 // As a missions service does it: another revision, and then the answer.
@@ -427,9 +448,9 @@ void flight_world::dispatch(const executor::durable_core::effect& each) {
         else if constexpr (std::is_same_v<M, mission_client::respond_to_assignment>)
           answers_.push_back(m);
         else if constexpr (std::is_same_v<M, mission_client::insert_waypoint>)
-          change_mission(m.insert.idempotency_key, m.insert.after_item_id, {m.insert.waypoint}, true);
+          take_change(m.insert.idempotency_key, m.is_flown, m.insert.after_item_id, {m.insert.waypoint}, true);
         else if constexpr (std::is_same_v<M, mission_client::replace_tail>)
-          change_mission(m.tail.idempotency_key, m.tail.after_item_id, m.tail.items, false);
+          take_change(m.tail.idempotency_key, m.is_flown, m.tail.after_item_id, m.tail.items, false);
         else if constexpr (std::is_same_v<M, executor::start_answer>)
           start_answers_.push_back(m);
         else if constexpr (std::is_same_v<M, ground_port::plan_judged>)

@@ -42,6 +42,8 @@ public:
     bool brings_last_line = true;
     bool marks_landings = false; // of a plane
     executor::refusal_policy refused_inserts = executor::refusal_policy::go_on;
+    bool changes_need_service = false;
+    std::int64_t service_wait_ms = 2'000;
     executor::deletion_policy deleted_mission = executor::deletion_policy::go_on;
     failsafe::settings failsafe = {};
     mission_client::pull_state map = mission_client::pull_state::synced; // what is told of it as a mission is loaded
@@ -108,6 +110,18 @@ public:
   [[nodiscard]] bool acknowledge();
   // What the service answers to a change, from now on.
   void set_changes(mission_client::change_verdict answer) { change_answer_ = answer; }
+  // It answers no change from now on.
+  void silence_service(bool is_silent) { is_service_silent_ = is_silent; }
+  struct told_change {
+    std::string key;
+    std::size_t after_reports = 0; // so many were told before it
+    std::int64_t at_ns = 0;
+  };
+  // What mission_client was told: what is asked, and what is flown without an answer.
+  [[nodiscard]] const std::vector<told_change>& asked_changes() const { return asked_changes_; }
+  [[nodiscard]] const std::vector<told_change>& flown_changes() const { return flown_changes_; }
+  // Of one of them, at last.
+  void answer_change(const std::string& key, mission_client::change_verdict verdict, const std::string& reason = {});
   void crash(); // of the executor; it begins anew at once, with what its record holds
   void crash_failsafe();
   // Of the link to the vehicle; what was asked of it is answered as the actor's address does it.
@@ -254,6 +268,8 @@ private:
   void take(const vehicle_link::observation& each);
   void take(const vehicle_link::announcement& each);
   void dispatch(const executor::durable_core::effect& each);
+  void take_change(const std::string& key, bool is_flown, const std::optional<std::string>& after,
+                   const std::vector<mission::item>& items, bool keeps_rest);
   void change_mission(const std::string& key, const std::optional<std::string>& after,
                       const std::vector<mission::item>& items, bool keeps_rest);
   void restore();
@@ -310,6 +326,9 @@ private:
   std::uint32_t lost_message_ = 0;
   std::vector<failsafe::command_vehicle> reactions_;
   std::int32_t service_revision_ = 0;
+  bool is_service_silent_ = false;
+  std::vector<told_change> asked_changes_;
+  std::vector<told_change> flown_changes_;
   mission_client::change_verdict change_answer_ = mission_client::change_verdict::done;
   std::vector<io::mavlink::mission_item_int> shown_items_;
   int times_shown_ = 0;

@@ -99,6 +99,7 @@ effects core::advance(instant now) {
   service_.ask_again(out, now);
   standstill_.look(out, now);
   ground_.on_task();
+  changes_.keep_commanded(out, recovery_.has_looked(), now);
   plan_.check(out, now);
   for (const auto& each : messages_.look(out, now.now_ns))
     flight_.view.take(each, now.now_ns);

@@ -245,7 +245,13 @@ void note_items_of_upload(state& s) {
     s.station->ids.push_back(mission::id_of(each));
 }
 
+durable_effects take(state& s, const change_commanded& happened, std::int64_t) {
+  s.commanded = happened.what;
+  return {};
+}
+
 durable_effects take(state& s, const change_asked& happened, std::int64_t) {
+  s.commanded.reset();
   note_items_of_upload(s);
   s.change = happened.what;
   s.change->sets_aside = !happened.set_aside.empty() || happened.what.kind == change_kind::cancel;

@@ -7,6 +7,7 @@
 //   mission_arrived, _taken, deletion_told: none
 //   assignment_kept, _rejected    the answer that turns it down
 //   station_plan_taken, _dropped, and station_fence_taken, station_rally_taken, last_line_brought: none
+//   change_commanded: none
 //   change_asked, change_flown    what the service is to change, and that it is flown without its answer
 //   change_stopped, change_answered, change_resolved: none
 //   task_begun, task_ended        none; a task is on the disk before its first order goes out, but for hold,
@@ -187,6 +188,23 @@ struct mission_change {
       io::field("after_item_id", &mission_change::after_item_id), io::field("items", &mission_change::items),
       io::field("reason", &mission_change::reason), io::field("said_ns", &mission_change::said_ns),
       io::field("is_flown", &mission_change::is_flown), io::field("is_stopped", &mission_change::is_stopped));
+};
+
+// What an operator has commanded, until the service is asked for it: the vehicle comes to a hold first.
+struct commanded_change {
+  change_kind kind = change_kind::go_to;
+  std::optional<mission::position> to;
+  std::string after;        // insert: this item; empty: what is done
+  std::int64_t said_ns = 0; // since 1970
+  static constexpr auto fields = io::table(
+      "executor.commanded_change", io::field("kind", &commanded_change::kind), io::field("to", &commanded_change::to),
+      io::field("after", &commanded_change::after), io::field("said_ns", &commanded_change::said_ns));
+};
+
+// None: it is not wanted any more.
+struct change_commanded {
+  std::optional<commanded_change> what;
+  static constexpr auto fields = io::table("executor.change_commanded", io::field("what", &change_commanded::what));
 };
 
 // The service is told, and answers with change_outcome and the new revision.
@@ -381,6 +399,7 @@ struct state {
   std::optional<std::string> assigned;        // carried out by the mission, and by no plan yet
   std::optional<std::string> last_assignment; // that was answered, or will be with its upload
   std::uint32_t cut_off_uploads = 0;          // of the assignment under way: by a crash, and then tried again
+  std::optional<commanded_change> commanded;  // that the service was not asked for yet
   std::optional<mission_change> change;       // that the service was asked for, and has not resolved
   std::vector<flown_change> flown_changes;    // that the service has not answered; oldest first, bounded
   bool is_arrived_ours = false;               // `arrived` is of a change that is flown without its answer
@@ -413,17 +432,17 @@ struct state {
       "executor.state", io::field("mission", &state::mission), io::field("arrived", &state::arrived),
       io::field("waiting", &state::waiting), io::field("assigned", &state::assigned),
       io::field("last_assignment", &state::last_assignment), io::field("cut_off_uploads", &state::cut_off_uploads),
-      io::field("change", &state::change), io::field("flown_changes", &state::flown_changes),
-      io::field("is_arrived_ours", &state::is_arrived_ours), io::field("set_aside", &state::set_aside),
-      io::field("station", &state::station), io::field("station_fences", &state::station_fences),
-      io::field("station_rally", &state::station_rally), io::field("last_line", &state::last_line),
-      io::field("brings", &state::brings), io::field("flown", &state::flown), io::field("doing", &state::doing),
-      io::field("last_task", &state::last_task), io::field("standing", &state::status),
-      io::field("person", &state::person), io::field("awaits_word", &state::awaits_word),
-      io::field("awaits_person", &state::awaits_person), io::field("home", &state::home),
-      io::field("has_commanded_home", &state::has_commanded_home), io::field("preflight", &state::preflight),
-      io::field("progress", &state::progress), io::field("supervision", &state::supervision),
-      io::field("deleted_mission", &state::deleted_mission));
+      io::field("commanded", &state::commanded), io::field("change", &state::change),
+      io::field("flown_changes", &state::flown_changes), io::field("is_arrived_ours", &state::is_arrived_ours),
+      io::field("set_aside", &state::set_aside), io::field("station", &state::station),
+      io::field("station_fences", &state::station_fences), io::field("station_rally", &state::station_rally),
+      io::field("last_line", &state::last_line), io::field("brings", &state::brings), io::field("flown", &state::flown),
+      io::field("doing", &state::doing), io::field("last_task", &state::last_task),
+      io::field("standing", &state::status), io::field("person", &state::person),
+      io::field("awaits_word", &state::awaits_word), io::field("awaits_person", &state::awaits_person),
+      io::field("home", &state::home), io::field("has_commanded_home", &state::has_commanded_home),
+      io::field("preflight", &state::preflight), io::field("progress", &state::progress),
+      io::field("supervision", &state::supervision), io::field("deleted_mission", &state::deleted_mission));
 };
 
 // From the decision to start on.
@@ -441,8 +460,8 @@ struct durable_core {
                    progress::current_told, progress::reached_told, progress::came_down, progress::other_plan_found,
                    progress::vehicle_rebooted, preflight::checks_wanted, preflight::looked, preflight::acknowledged,
                    preflight::mission_changed, preflight::took_off, preflight::flight_ended, preflight::restarted,
-                   mission_arrived, mission_taken, arrival_refused, deletion_told, change_asked, change_flown,
-                   change_stopped, change_answered, change_resolved, assignment_kept, assignment_rejected,
+                   mission_arrived, mission_taken, arrival_refused, deletion_told, change_commanded, change_asked,
+                   change_flown, change_stopped, change_answered, change_resolved, assignment_kept, assignment_rejected,
                    station_plan_taken, station_fence_taken, station_rally_taken, last_line_brought,
                    station_plan_dropped, task_begun, task_ended, phase_status, station_took_over, start_resolved,
                    supervision::failsafe_missed, home_kept, home_commanded, person_acted>;

@@ -44,6 +44,7 @@ void resolve_change(state& s, bool is_done) {
 }
 
 void stop_change(state& s) {
+  s.commanded.reset();
   if (!s.change)
     return;
   if (s.arrived)

@@ -7,6 +7,7 @@ GODWIT_DEFINE_MESSAGE(godwit::executor::assignment_kept);
 GODWIT_DEFINE_MESSAGE(godwit::executor::assignment_rejected);
 GODWIT_DEFINE_MESSAGE(godwit::executor::change_answered);
 GODWIT_DEFINE_MESSAGE(godwit::executor::change_asked);
+GODWIT_DEFINE_MESSAGE(godwit::executor::change_commanded);
 GODWIT_DEFINE_MESSAGE(godwit::executor::change_flown);
 GODWIT_DEFINE_MESSAGE(godwit::executor::change_resolved);
 GODWIT_DEFINE_MESSAGE(godwit::executor::change_stopped);

@@ -34,6 +34,7 @@ struct plan_change {
   bool is_held_for = false;            // the vehicle was told to hold first
   std::int64_t held_since_ns = 0;      // 0: it was not seen to hold yet
   std::int64_t said_ns = 0;            // monotonic
+  std::string after;                   // insert: as it was commanded
 };
 
 struct start_flight {

@@ -65,6 +65,7 @@ operators::answer plan_changes::take(const operators::command& m, instant now) {
     return refused("the missions service has not answered " + std::to_string(max_flown_changes) +
                    " changes yet; repeat the command when it is back");
   what->said_ns = now.now_ns;
+  what->after = m.after;
   if (flight_.is_journal_nearly_full && m.kind != command_kind::cancel)
     return refused(
         "the plan is not changed while so much waits for the journal's disk; repeat the command when it is written");
@@ -180,6 +181,7 @@ plan_changes::change_or_reason plan_changes::insert(const operators::command& m)
   extra.at = *m.place;
   plan_change result;
   result.kind = change_kind::insert;
+  result.to = m.place;
   result.after_item_id = std::move(after);
   result.items.emplace_back(std::move(extra));
   return result;
@@ -210,6 +212,38 @@ std::string plan_changes::why_not_changed(const plan_change& what, instant now) 
   return plan ? std::string() : plan.error();
 }
 
+void plan_changes::keep_commanded(effects& out, bool has_looked, instant now) {
+  const auto& wanted = flight_.wanted;
+  const auto& kept = flight_.s.commanded;
+  if (wanted.change || wanted.halt || wanted.go_on || flight_.has_person())
+    may_take_up_ = false;
+  if (wanted.change && !kept)
+    out.emplace_back(
+        note{change_commanded{commanded_change{wanted.change->kind, wanted.change->to, wanted.change->after,
+                                               now.wall_ns - (now.now_ns - wanted.change->said_ns)}}});
+  else if (!wanted.change && kept && may_take_up_ && has_looked && flight_.setting(now))
+    take_up_commanded(out, now);
+  else if (!wanted.change && kept && !may_take_up_)
+    out.emplace_back(note{change_commanded{}});
+}
+
+// By an incarnation that finds it in the journal: as if it were commanded now, but for its time.
+void plan_changes::take_up_commanded(effects& out, instant now) {
+  const auto kept = *flight_.s.commanded;
+  operators::command command;
+  command.kind = kept.kind == change_kind::go_to    ? command_kind::go_to
+                 : kept.kind == change_kind::cancel ? command_kind::cancel
+                                                    : command_kind::insert;
+  command.place = kept.to;
+  command.after = kept.after;
+  may_take_up_ = false;
+  const auto answer =
+      is_too_old(kept.said_ns, now) ? refused("it was commanded too long ago; repeat it") : take(command, now);
+  if (!answer.is_taken)
+    return drop(out, answer.reason);
+  flight_.wanted.change->said_ns = now.now_ns - std::max<std::int64_t>(now.wall_ns - kept.said_ns, 0);
+}
+
 bool plan_changes::begin_wanted(effects& out, instant now) {
   auto& wanted = flight_.wanted.change;
   if (!wanted)
@@ -221,8 +255,8 @@ bool plan_changes::begin_wanted(effects& out, instant now) {
   return true;
 }
 
-// Who is sent around holds first, and stands: the mission that goes on meanwhile would fly away from there. A fixed
-// wing circles.
+// Who is sent elsewhere holds first: the mission that goes on meanwhile would fly away from there. Who is led around
+// fences stands as well, because its way begins there. A fixed wing circles.
 bool plan_changes::stands_for_change(effects& out, instant now) {
   auto& wanted = *flight_.wanted.change;
   if (!flight_.view.obeys(mode_kind::hold)) {
@@ -235,19 +269,22 @@ bool plan_changes::stands_for_change(effects& out, instant now) {
   if (wanted.held_since_ns == 0)
     wanted.held_since_ns = now.now_ns;
   const bool circles = flight_.view.owner().vehicle == flight::vehicle_class::fixed_wing;
-  return circles || flight_.view.stands() || now.now_ns - wanted.held_since_ns >= stands_within_ns;
+  return circles || flight_.s.mission->geofences.empty() || flight_.view.stands() ||
+         now.now_ns - wanted.held_since_ns >= stands_within_ns;
 }
 
 // The way that was found when it was said began where the vehicle was then.
 void plan_changes::begin_from_here(effects& out, instant now) {
   auto& wanted = *flight_.wanted.change;
   const auto said_ns = wanted.said_ns;
+  const auto after = wanted.after;
   auto here = wanted.kind == change_kind::go_to    ? go_there(*wanted.to, now)
               : wanted.kind == change_kind::cancel ? cancel(now)
                                                    : change_or_reason(wanted);
   if (!here)
     return drop(out, here.error());
   here->said_ns = said_ns;
+  here->after = after;
   if (here->leads_around && !wanted.leads_around) { // it has flown behind a fence since
     wanted = *std::move(here);
     static_cast<void>(begin_wanted(out, now));
@@ -283,6 +320,7 @@ void plan_changes::ask_for(effects& out, const plan_change& what, instant now) {
 
 void plan_changes::drop(effects& out, const std::string& why) {
   flight_.wanted.change.reset();
+  out.emplace_back(note{change_commanded{}});
   out.emplace_back(announce{"the mission is not changed: " + why, true});
 }
 

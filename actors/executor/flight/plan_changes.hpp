@@ -31,6 +31,8 @@ public:
   // A command of an operator.
   [[nodiscard]] operators::answer take(const operators::command& m, instant now);
   [[nodiscard]] bool begin_wanted(effects& out, instant now);
+  // What is wanted outlives a crash, as long as nothing else was commanded and nobody else has the vehicle.
+  void keep_commanded(effects& out, bool has_looked, instant now);
   // The service has not answered for as long as it is waited for: until next_deadline_ns().
   [[nodiscard]] bool fly_unanswered(effects& out, instant now);
   [[nodiscard]] std::int64_t next_deadline_ns() const;
@@ -80,7 +82,11 @@ private:
   flight_context& flight_;
   phase_machine& phases_;
   task_control& tasks_;
+  void take_up_commanded(effects& out, instant now);
+  [[nodiscard]] static bool is_too_old(std::int64_t said_ns, instant now);
+
   int refused_inserts_ = 0; // in a row
+  bool may_take_up_ = true; // what an incarnation before was commanded
   struct awaited {
     std::string key;
     std::int64_t until_ns = 0; // monotonic

@@ -170,8 +170,14 @@ void recovery::find_in_flight(effects& out, const std::optional<task>& doing, in
     return phases_.go(out, trigger::found_held);
   const bool is_ours = flight_.authority.is_ours() && !flight_.authority.is_unclear();
   if (is_ours && flight_.s.status.now != phase::landing && flight_.view.is_in(mode_kind::mission) &&
-      (is(task_kind::hold) || is(task_kind::come_home)))
-    flight_.wanted.put_halt(doing->kind); // an operator's word, which the vehicle has not heard or not shown yet
+      (is(task_kind::hold) || is(task_kind::come_home))) {
+    // An operator's word, which the vehicle has not heard or not shown yet.
+    if (is(task_kind::hold) && flight_.s.commanded) {
+      phases_.go(out, trigger::found_in_flight);
+      return tasks_.begin(out, task_kind::hold, {change_mode{mode_kind::hold}}); // and then it is sent elsewhere
+    }
+    flight_.wanted.put_halt(doing->kind);
+  }
   phases_.go(out, trigger::found_in_flight);
 }
 

@@ -11,6 +11,9 @@ namespace {
 // For an answer of the service, at least: a call over a slow line and a second try.
 constexpr std::int64_t least_wait_ns = 500'000'000;
 
+// Nobody expects a command to be executed so late: the computer was off, or the vehicle was not heard.
+constexpr std::int64_t oldest_ns = 30'000'000'000;
+
 constexpr auto never_ns = std::numeric_limits<std::int64_t>::max();
 
 } // namespace
@@ -26,6 +29,8 @@ bool plan_changes::may_fly_unanswered() const {
   return s.change && !s.change->is_flown && !s.change->items.empty() && s.mission && !s.arrived && s.waiting.empty() &&
          flight_.configured.has_service && !flight_.configured.changes_need_service;
 }
+
+bool plan_changes::is_too_old(std::int64_t said_ns, instant now) { return now.wall_ns - said_ns > oldest_ns; }
 
 // A new incarnation knows by the wall clock how long it has waited; one that was set counts for no more than the wait.
 bool plan_changes::is_wait_over(instant now) {
@@ -54,6 +59,8 @@ bool plan_changes::fly_unanswered(effects& out, instant now) {
   what.items = asked.items;
   auto revised = changed(what);
   auto why = revised ? why_not_changed(what, now) : revised.error();
+  if (why.empty() && is_too_old(asked.said_ns, now))
+    why = "it was commanded too long ago; repeat it";
   if (why.empty() && flight_.s.mission->revision != asked.base_revision)
     why = "it was made to revision " + std::to_string(asked.base_revision) + " of the mission";
   if (!why.empty()) {

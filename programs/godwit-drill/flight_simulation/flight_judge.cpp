@@ -75,6 +75,9 @@ std::map<std::string, mission::position> waypoints_of(const mission::document& m
 std::string flaw_of_reports(flight_simulation& flight) {
   if (flight.service().figures(sim::missions::row_kind::progress).differing != 0)
     return "a report came again with another content";
+  constexpr unsigned wrong_content = 422; // no fault of a drill answers so
+  if (flight.service().answers_to_reports(wrong_content) != 0)
+    return "a report names an item that the service does not know";
   const auto reports = flight.reports();
   auto flaw = flaw_of_order(reports);
   if (flaw.empty() && flight.status().now == executor::phase::done)

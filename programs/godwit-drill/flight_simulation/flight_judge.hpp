@@ -8,9 +8,10 @@
 
 namespace godwit::drill {
 
-// Of what the service has got: no report is missing or doubled, they came in order, no generation or index goes back,
-// nothing comes of a revision after its completion; when the mission is done each of its items was told. A report that
-// the service has already may come again, with the same content: its answer was lost. Empty: it holds; else a sentence.
+// Of what the service has got: no report named an item that it does not know, none is missing or doubled, they came in
+// order, no generation or index goes back, nothing comes of a revision after its completion; when the mission is done
+// each of its items was told. A report that the service has already may come again, with the same content: its answer
+// was lost. Empty: it holds; else a sentence.
 [[nodiscard]] std::string flaw_of_reports(flight_simulation& flight);
 
 // Reports that are missing, or items that no report tells of although the mission is done; and what was told twice.

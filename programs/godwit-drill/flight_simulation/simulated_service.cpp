@@ -151,6 +151,15 @@ bool simulated_service::assign(const std::string& mission_id, const missions::as
   return true;
 }
 
+void simulated_service::revise(const std::string& mission_id, const mission::item& extra) {
+  auto changed = mission(mission_id);
+  changed.items.insert(changed.items.end() - 1, extra);
+  ++changed.revision;
+  const auto reused = missions::note_items(*file_, mission_id, changed.items, "/items");
+  GODWIT_ASSERT(reused.empty(), "drill: the item is a new one");
+  missions::replace_mission(*file_, changed);
+}
+
 void simulated_service::set_fault(std::string_view words) {
   const auto added = faults_.add(words);
   GODWIT_ASSERT(added.has_value(), "drill: the words of the fault are right");
@@ -164,6 +173,12 @@ mission::document simulated_service::mission(const std::string& mission_id) {
 
 std::vector<missions::stored_row> simulated_service::rows(const std::string& mission_id, missions::row_kind kind) {
   return missions::rows_of(*file_, mission_id, kind);
+}
+
+std::uint64_t simulated_service::answers_to_reports(unsigned status) const {
+  missions::service_figures figures;
+  faulty_.count_into(figures);
+  return figures.answers[missions::endpoint::post_progress][status];
 }
 
 missions::row_figures simulated_service::figures(missions::row_kind kind) { return missions::row_counts(*file_)[kind]; }

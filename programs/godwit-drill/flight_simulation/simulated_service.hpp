@@ -82,6 +82,8 @@ public:
   void set_map_objects(const std::string& mission_id, const std::vector<mission::map_object>& objects);
   // False: the wish makes no sense for the mission as it is.
   bool assign(const std::string& mission_id, const sim::missions::assignment_request& wanted, std::int64_t now_ns);
+  // Somebody there puts another waypoint in front of the last item: another revision, of which the vehicle is not told.
+  void revise(const std::string& mission_id, const mission::item& extra);
   void set_fault(std::string_view words);
   void clear_faults() { faults_.clear(); }
 
@@ -93,6 +95,12 @@ public:
   [[nodiscard]] std::vector<sim::missions::stored_row> rows(const std::string& mission_id,
                                                             sim::missions::row_kind kind);
   [[nodiscard]] sim::missions::row_figures figures(sim::missions::row_kind kind);
+  // Inserts and tails that took effect, each under a key of its own.
+  [[nodiscard]] std::size_t changes(const std::string& mission_id) {
+    return rows(mission_id, sim::missions::row_kind::change).size();
+  }
+  // Answers of this status to reports.
+  [[nodiscard]] std::uint64_t answers_to_reports(unsigned status) const;
 
 private:
   enum class stage { on_its_way, held, answered };

@@ -6,6 +6,7 @@
 #include "actors/domain/mission/write.hpp"
 #include "messages/mission/answer.hpp"
 #include "programs/godwit-sim/missions/delivered_table.hpp"
+#include "programs/godwit-sim/missions/mission_table.hpp"
 #include "programs/godwit-sim/missions/once.hpp"
 
 namespace godwit::sim::missions {
@@ -32,6 +33,10 @@ answer put_reports(service_file& file, const call& at, const std::vector<mission
   if (reports.front().report_no > last + 1)
     return problem_answer(409, "The last report that is there has the number " + std::to_string(last) +
                                    ", and the first of these " + std::to_string(reports.front().report_no) + ".");
+  for (std::size_t i = 0; i < reports.size(); ++i)
+    if (const auto& id = reports[i].item_id; id && !knows_item(file, at.to.mission_id, *id))
+      return wrong_place("/reports/" + std::to_string(i) + "/item_id", "is " + mission::in_quotes(*id),
+                         "an item that the mission has or had");
   mission::receipt receipt;
   for (const auto& each : reports)
     count(receipt,

@@ -71,6 +71,10 @@ void set_last_report(service_file& file, const std::string& mission_id, std::int
   file.run("UPDATE missions SET last_report_no = ?2 WHERE mission_id = ?1", mission_id, last);
 }
 
+bool knows_item(service_file& file, const std::string& mission_id, const std::string& item_id) {
+  return file.number("SELECT 1 FROM items WHERE mission_id = ?1 AND item_id = ?2", mission_id, item_id).has_value();
+}
+
 std::vector<mission::document_problem> note_items(service_file& file, const std::string& mission_id,
                                                   std::span<const mission::item> items, const std::string& pointer,
                                                   bool is_list) {

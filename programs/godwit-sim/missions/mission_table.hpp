@@ -36,6 +36,8 @@ void delete_mission(service_file& file, const std::string& mission_id, const std
 // LAST: the number of its last report.
 void set_last_report(service_file& file, const std::string& mission_id, std::int64_t last);
 
+// The mission, or an assignment for it, has or had the item.
+[[nodiscard]] bool knows_item(service_file& file, const std::string& mission_id, const std::string& item_id);
 // Notes the items of a mission. What comes back is wrong: their ids were those of other items. POINTER: of the items in
 // the request; of one alone when IS_LIST is false.
 [[nodiscard]] std::vector<mission::document_problem> note_items(service_file& file, const std::string& mission_id,

@@ -252,6 +252,84 @@ TEST_P(unanswered_change, is_flown_also_when_the_executor_or_the_process_has_cra
     }
 }
 
+// Before the vehicle holds, and so before the service is asked.
+TEST_P(unanswered_change, is_not_forgotten_by_a_crash_right_after_the_command) {
+  for (const bool whole : {false, true})
+    for (const auto kind : {command_kind::go_to, command_kind::insert}) {
+      SCOPED_TRACE(std::string(io::name_of(kind)) + (whole ? ", the process" : ""));
+      flight_world world({.who = GetParam()});
+      fly(world);
+      say(world, place_for(kind, GetParam()));
+      whole ? world.crash_all() : world.crash();
+      ASSERT_TRUE(world.run_until([&] { return !world.flown_changes().empty(); }, 20)) << world.story();
+      EXPECT_FALSE(world.durable().commanded);
+      EXPECT_EQ(world.asked_changes().size(), 1U) << "once\n" << world.story();
+    }
+}
+
+TEST_P(unanswered_change, that_a_takeover_or_a_pause_has_ended_is_forgotten_also_by_the_next_incarnation) {
+  for (const bool takes_over : {false, true}) {
+    flight_world world({.who = GetParam()});
+    fly(world);
+    world.lose_command(io::mavlink::number(io::mavlink::mav_cmd::do_set_mode), 4); // the hold takes its time
+    go_there(world);
+    ASSERT_TRUE(world.durable().commanded);
+    if (takes_over) {
+      world.switch_mode(pilot_mode(GetParam()));
+      ASSERT_TRUE(world.run_until([&] { return world.durable().status.cause == pause_cause::taken_over; }, 8))
+          << world.story();
+    } else {
+      ASSERT_TRUE(world.say(command_kind::pause).is_taken) << world.story();
+    }
+    world.crash();
+    world.run_for(5);
+    if (takes_over) {
+      ASSERT_TRUE(world.say(command_kind::hand_back).is_taken) << world.story();
+    }
+    world.run_for(10);
+    EXPECT_TRUE(world.flown_changes().empty()) << world.story();
+    EXPECT_FALSE(world.durable().commanded) << world.story();
+    EXPECT_FALSE(is_sent_there(world)) << world.story();
+  }
+}
+
+// Whoever comes back so late does not surprise the people below.
+TEST_P(unanswered_change, that_was_commanded_half_a_minute_ago_is_not_flown) {
+  flight_world world({.who = GetParam()});
+  fly(world);
+  go_there(world);
+  ASSERT_TRUE(world.run_until([&] { return world.durable().change.has_value(); }, 8)) << world.story();
+  world.cut_line(40);
+  world.run_for(1);
+  world.crash_all();
+  world.run_for(60);
+  EXPECT_TRUE(world.flown_changes().empty()) << world.story();
+  EXPECT_FALSE(world.durable().change) << world.story();
+  EXPECT_TRUE(was_said(world, "commanded too long ago")) << world.story();
+}
+
+// Its way begins where the vehicle stands: then the service still has half a second.
+TEST_P(unanswered_change, between_fences_the_vehicle_stands_first) {
+  for (const bool has_fence : {false, true}) {
+    flight_world world({.who = GetParam(), .speed = 1});
+    auto mission = tests::short_mission(GetParam());
+    mission.geofences.clear();
+    if (has_fence)
+      mission.geofences.push_back(fence_around(GetParam() == sim::personality::plane ? 2'000 : 250));
+    world.load(mission);
+    ASSERT_TRUE(world.acknowledge() || GetParam() != sim::personality::plane);
+    ASSERT_TRUE(world.run_until([&] { return is_reached(world, "w1"); }, 600)) << world.story();
+    world.run_for(2);
+    world.silence_service(true);
+    const auto said_ns = world.now_ns();
+    go_there(world);
+    ASSERT_TRUE(world.run_until([&] { return !world.flown_changes().empty(); }, 20)) << world.story();
+    const auto flown_s = seconds(world.now_ns() - said_ns);
+    const auto asked_s = seconds(world.asked_changes().back().at_ns - said_ns);
+    EXPECT_NEAR(flown_s, has_fence ? std::max(2.0, asked_s + 0.5) : 2.0, 0.2) << world.story();
+  }
+}
+
 TEST_P(unanswered_change, that_the_service_takes_later_changes_nothing_on_board) {
   flight_world world({.who = GetParam()});
   fly(world);

@@ -172,6 +172,20 @@ TEST(missions_service, reports_of_another_mission_are_422) {
   EXPECT_EQ(places_of(given).at(0).pointer, "/reports/0/mission_id");
 }
 
+TEST(missions_service, reports_of_an_item_that_the_mission_never_had_are_422) {
+  judged_service service;
+  auto body = reports(1, 1, 2);
+  body.reports[1].item_id = "goto-1";
+  const auto given = service.ask(posted("/progress", body));
+  EXPECT_EQ(given.status, 422U);
+  EXPECT_EQ(places_of(given).at(0).pointer, "/reports/1/item_id");
+  EXPECT_TRUE(rows_of(service.file(), mission_id, row_kind::progress).empty());
+  body.idempotency_key = uuid(2);
+  body.reports[1].item_id = "look-1";
+  EXPECT_EQ(service.ask(posted("/waypoints", insert(3, 2, "look-1"))).status, 200U);
+  EXPECT_EQ(service.ask(posted("/progress", body)).status, 200U);
+}
+
 TEST(missions_service, a_batch_in_another_cut_stores_each_row_once) {
   judged_service service;
   EXPECT_EQ(receipt_of(service.ask(posted("/mapobjects", observations(1, 1, 300)))), (mission::receipt{300, 0}));

@@ -255,8 +255,9 @@ bool plan_changes::begin_wanted(effects& out, instant now) {
   return true;
 }
 
-// Who is sent elsewhere holds first: the mission that goes on meanwhile would fly away from there. Who is led around
-// fences stands as well, because its way begins there. A fixed wing circles.
+// Who is sent elsewhere holds first: the mission that goes on meanwhile would fly away from there, and it stands before
+// its plan changes. Where a service is asked it does so while that answers, but for a way around fences, which begins
+// there. A fixed wing circles.
 bool plan_changes::stands_for_change(effects& out, instant now) {
   auto& wanted = *flight_.wanted.change;
   if (!flight_.view.obeys(mode_kind::hold)) {
@@ -269,8 +270,8 @@ bool plan_changes::stands_for_change(effects& out, instant now) {
   if (wanted.held_since_ns == 0)
     wanted.held_since_ns = now.now_ns;
   const bool circles = flight_.view.owner().vehicle == flight::vehicle_class::fixed_wing;
-  return circles || flight_.s.mission->geofences.empty() || flight_.view.stands() ||
-         now.now_ns - wanted.held_since_ns >= stands_within_ns;
+  const bool goes_straight = flight_.configured.has_service && flight_.s.mission->geofences.empty();
+  return circles || goes_straight || flight_.view.stands() || now.now_ns - wanted.held_since_ns >= stands_within_ns;
 }
 
 // The way that was found when it was said began where the vehicle was then.

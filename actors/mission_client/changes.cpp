@@ -14,17 +14,23 @@ change_verdict verdict_after(const outbox_row& row, const service_answer& answer
   return was_kept_out && row.tries == 0 ? change_verdict::refused : change_verdict::unknown;
 }
 
+event try_again(const outbox_row& row, const service_answer& answer) {
+  return rows_failed{{row.key}, sentence_of(answer), answer.retry_after_ns.value_or(0)};
+}
+
 event try_again_or_fail(const outbox_row& row, const service_answer& answer, std::int64_t wall_ns) {
   const auto failed = row.tries + 1;
   const auto next_ns = wall_ns + change_pause_ns(failed, row.key, answer.retry_after_ns);
   if (failed < change_tries && next_ns < row.created_ns + change_window_ns)
-    return rows_failed{{row.key}, sentence_of(answer), answer.retry_after_ns.value_or(0)};
+    return try_again(row, answer);
   return change_failed{row.key, verdict_after(row, answer), sentence_of(answer)};
 }
 
-// The vehicle flies it already: it is tried until the service has it, or will not have it.
-event try_again(const outbox_row& row, const service_answer& answer) {
-  return rows_failed{{row.key}, sentence_of(answer), answer.retry_after_ns.value_or(0)};
+// Neither that the service has the change nor that it never will. One that the vehicle flies already is tried until
+// then.
+bool leaves_open(judgement answer) {
+  return answer == judgement::transient || answer == judgement::bad_answer || answer == judgement::not_allowed ||
+         answer == judgement::misconfigured;
 }
 
 event take_mission(const outbox_row& row, const service_answer& answer) {
@@ -39,22 +45,20 @@ event take_mission(const outbox_row& row, const service_answer& answer) {
 } // namespace
 
 event outcome_of_change(const outbox_row& row, const service_answer& answer, std::int64_t wall_ns) {
-  switch (judge(answer)) {
+  const auto judged = judge(answer);
+  if (row.is_flown && leaves_open(judged))
+    return try_again(row, answer);
+  switch (judged) {
   case judgement::success:
     return take_mission(row, answer);
   case judgement::transient:
-    return row.is_flown ? try_again(row, answer) : try_again_or_fail(row, answer, wall_ns);
+    return try_again_or_fail(row, answer, wall_ns);
   case judgement::gone:
     return mission_gone{row.mission_id};
   case judgement::conflict:
     return change_failed{row.key, change_verdict::stale, sentence_of(answer)};
   case judgement::bad_answer:
-    return row.is_flown ? try_again(row, answer) : change_failed{row.key, change_verdict::unknown, sentence_of(answer)};
-  case judgement::not_allowed:
-  case judgement::misconfigured:
-    if (row.is_flown)
-      return try_again(row, answer);
-    [[fallthrough]];
+    return change_failed{row.key, change_verdict::unknown, sentence_of(answer)};
   default:
     return change_failed{row.key, change_verdict::refused, sentence_of(answer)};
   }

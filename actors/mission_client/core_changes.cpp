@@ -1,5 +1,6 @@
 // Changes that the vehicle asks of the service, or flies already.
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,11 +31,10 @@ change_content content_of(const outbox_row& change) {
 }
 
 // The service has numbered the change as the vehicle has, and has what the vehicle flies.
-bool is_as_flown(const mission::document& document, const outbox_row& change) {
-  const auto content = content_of(change);
+bool is_as_flown(const mission::document& document, destination to, const change_content& content) {
   if (document.revision != content.base_revision + 1)
     return false;
-  if (change.to == destination::waypoint)
+  if (to == destination::waypoint)
     return std::ranges::find(document.items, content.items.front()) != document.items.end();
   return document.items.size() >= content.items.size() &&
          std::equal(content.items.rbegin(), content.items.rend(), document.items.rbegin());
@@ -86,17 +86,16 @@ std::vector<std::string> built_on(const state& s, const outbox_row& change) {
 void fail_change(decision_context& t, const std::string& key, change_verdict verdict, const std::string& reason) {
   auto* row = find_row(t.s.rows, key);
   row->last_error = cut_error(reason);
-  const bool was_flown = row->is_flown;
   const auto order = row->order;
   const auto mission_id = row->mission_id;
-  const auto content = was_flown ? content_of(*row) : change_content{};
-  if ((verdict != change_verdict::refused || was_flown) && mission_id == t.s.mission_id)
+  const auto flown = row->is_flown ? std::optional(content_of(*row)) : std::nullopt;
+  if ((verdict != change_verdict::refused || flown) && mission_id == t.s.mission_id)
     t.s.looks_up = true;
-  if (was_flown && mission_id == t.s.mission_id) // any newer one of the service counts, whatever we have numbered since
-    t.s.revision = std::min(t.s.revision, content.base_revision);
+  if (flown && mission_id == t.s.mission_id) // any newer one of the service counts, whatever we have numbered since
+    t.s.revision = std::min(t.s.revision, flown->base_revision);
   remove_row(t, key, noted_as::dropped);
-  if (was_flown)
-    leave_items_out(t, mission_id, content.items, order);
+  if (flown)
+    leave_items_out(t, mission_id, flown->items, order);
   t.tell(change_outcome{key, verdict, reason});
 }
 
@@ -126,14 +125,13 @@ void take(decision_context& t, const change_done& m) {
   const auto* row = find_row(s.rows, m.key);
   if (row == nullptr)
     return;
-  const bool was_flown = row->is_flown;
-  const auto base_revision = was_flown ? content_of(*row).base_revision : 0;
-  const bool is_other = was_flown && !is_as_flown(m.document, *row);
+  const auto flown = row->is_flown ? std::optional(content_of(*row)) : std::nullopt;
+  const bool is_other = flown && !is_as_flown(m.document, row->to, *flown);
   const std::string reason = "the service has made another revision of it, which is flown instead";
   if (is_other) {
     for (const auto& each : built_on(s, *row))
       fail_change(t, each, change_verdict::stale, reason);
-    s.revision = std::min(s.revision, base_revision);
+    s.revision = std::min(s.revision, flown->base_revision);
     t.tell(change_outcome{m.key, change_verdict::stale, reason});
   }
   remove_row(t, m.key, noted_as::delivered);
@@ -142,7 +140,7 @@ void take(decision_context& t, const change_done& m) {
   if (s.mission_id == m.document.mission_id && m.document.revision > s.revision) {
     s.revision = m.document.revision;
     s.schema_version = m.document.schema_version;
-    if (is_other || !was_flown)
+    if (is_other || !flown)
       t.tell(mission_loaded{load_cause::changed, m.document});
   }
   if (!is_other)

@@ -61,7 +61,7 @@ std::string key_of(const std::string& key, std::uint32_t number_at_service) {
   return derived_key({key, std::to_string(number_at_service)});
 }
 
-bool waits_behind(const outbox_row& row, const mission_note& note, std::uint64_t order) {
+bool waits_after(const outbox_row& row, const mission_note& note, std::uint64_t order) {
   return row.mission_id == note.mission_id && row.state == row_state::pending && row.order > order;
 }
 
@@ -76,7 +76,7 @@ void put_number(decision_context& t, outbox_row& row, progress_report& report, s
 
 void leave_out_of_responses(decision_context& t, const mission_note& note, std::uint64_t order) {
   for (auto& row : t.s.rows) {
-    if (row.to != destination::assignment_response || !waits_behind(row, note, order))
+    if (row.to != destination::assignment_response || !waits_after(row, note, order))
       continue;
     auto response = mission::read<mission::assignment_response>(row.body);
     GODWIT_ASSERT(response.has_value(), "a response in the outbox is one");
@@ -105,7 +105,7 @@ void leave_items_out(decision_context& t, const std::string& mission_id, const s
   leave_out_of_responses(t, note, order);
   std::optional<std::uint32_t> number;
   std::erase_if(t.s.rows, [&](outbox_row& row) {
-    if (row.to != destination::progress || !waits_behind(row, note, order))
+    if (row.to != destination::progress || !waits_after(row, note, order))
       return false;
     auto report = mission::read<progress_report>(row.body);
     GODWIT_ASSERT(report.has_value(), "a report in the outbox is one");

@@ -39,6 +39,9 @@ std::string_view reason_for(change_kind kind) {
   return "an operator inserted a waypoint";
 }
 
+// Of a monotonic time.
+std::int64_t wall_ns_of(std::int64_t at_ns, instant now) { return now.wall_ns - (now.now_ns - at_ns); }
+
 } // namespace
 
 // -- a command -----------------------------------------------------------------------------------------
@@ -64,11 +67,11 @@ operators::answer plan_changes::take(const operators::command& m, instant now) {
   if (s.flown_changes.size() >= max_flown_changes)
     return refused("the missions service has not answered " + std::to_string(max_flown_changes) +
                    " changes yet; repeat the command when it is back");
-  what->said_ns = now.now_ns;
-  what->after = m.after;
   if (flight_.is_journal_nearly_full && m.kind != command_kind::cancel)
     return refused(
         "the plan is not changed while so much waits for the journal's disk; repeat the command when it is written");
+  what->said_ns = now.now_ns;
+  what->after = m.after;
   flight_.wanted.put_change(*std::move(what));
   return {true, {}};
 }
@@ -218,9 +221,8 @@ void plan_changes::keep_commanded(effects& out, bool has_looked, instant now) {
   if (wanted.change || wanted.halt || wanted.go_on || flight_.has_person())
     may_take_up_ = false;
   if (wanted.change && !kept)
-    out.emplace_back(
-        note{change_commanded{commanded_change{wanted.change->kind, wanted.change->to, wanted.change->after,
-                                               now.wall_ns - (now.now_ns - wanted.change->said_ns)}}});
+    out.emplace_back(note{change_commanded{commanded_change{
+        wanted.change->kind, wanted.change->to, wanted.change->after, wall_ns_of(wanted.change->said_ns, now)}}});
   else if (!wanted.change && kept && may_take_up_ && has_looked && flight_.setting(now))
     take_up_commanded(out, now);
   else if (!wanted.change && kept && !may_take_up_)
@@ -277,15 +279,13 @@ bool plan_changes::stands_for_change(effects& out, instant now) {
 // The way that was found when it was said began where the vehicle was then.
 void plan_changes::begin_from_here(effects& out, instant now) {
   auto& wanted = *flight_.wanted.change;
-  const auto said_ns = wanted.said_ns;
-  const auto after = wanted.after;
   auto here = wanted.kind == change_kind::go_to    ? go_there(*wanted.to, now)
               : wanted.kind == change_kind::cancel ? cancel(now)
                                                    : change_or_reason(wanted);
   if (!here)
     return drop(out, here.error());
-  here->said_ns = said_ns;
-  here->after = after;
+  here->said_ns = wanted.said_ns;
+  here->after = wanted.after;
   if (here->leads_around && !wanted.leads_around) { // it has flown behind a fence since
     wanted = *std::move(here);
     static_cast<void>(begin_wanted(out, now));
@@ -310,7 +310,7 @@ void plan_changes::ask_for(effects& out, const plan_change& what, instant now) {
   asked.items = what.items;
   asked.reason = reason_for(what.kind);
   asked.set_aside = what.set_aside;
-  asked.what.said_ns = now.wall_ns - (now.now_ns - what.said_ns);
+  asked.what.said_ns = wall_ns_of(what.said_ns, now);
   waits_for_.emplace(awaited{asked.what.key, fly_at_ns(what.said_ns, now)});
   out.emplace_back(note{std::move(asked)});
   if (!flight_.configured.has_service)

@@ -5,7 +5,8 @@
 //                                        ├─ refused ──────────────────────────────> not changed, held
 //                                        ├─ something else is commanded, or
 //                                        │  somebody else has the vehicle ────────> not changed
-//                                        └─ silent for flight.service_wait_ms ────> flown; the service is told until it
+//                                        └─ silent for flight.service_wait_ms ────> flown; the service is asked until
+//                                        it
 //                                                                                   answers (state::flown_changes)
 //
 // Pure. Thread: one at a time.
@@ -68,6 +69,9 @@ private:
   [[nodiscard]] std::string why_not_changed(const plan_change& what, instant now) const;
   // Of the service, or by ourselves where there is none.
   void ask_for(effects& out, const plan_change& what, instant now);
+  void take_up_commanded(effects& out, instant now);
+  [[nodiscard]] static bool is_too_old(std::int64_t said_ns, instant now);
+  [[nodiscard]] std::int64_t service_wait_ns() const;
   [[nodiscard]] std::int64_t fly_at_ns(std::int64_t said_ns, instant now) const;
   [[nodiscard]] bool may_fly_unanswered() const;
   [[nodiscard]] bool is_wait_over(instant now);
@@ -82,9 +86,6 @@ private:
   flight_context& flight_;
   phase_machine& phases_;
   task_control& tasks_;
-  void take_up_commanded(effects& out, instant now);
-  [[nodiscard]] static bool is_too_old(std::int64_t said_ns, instant now);
-
   int refused_inserts_ = 0; // in a row
   bool may_take_up_ = true; // what an incarnation before was commanded
   struct awaited {

@@ -18,9 +18,11 @@ constexpr auto never_ns = std::numeric_limits<std::int64_t>::max();
 
 } // namespace
 
+std::int64_t plan_changes::service_wait_ns() const { return flight_.configured.service_wait_ms * 1'000'000; }
+
 // Counted from the command. Who took long to stand leaves the service the time for an answer all the same.
 std::int64_t plan_changes::fly_at_ns(std::int64_t said_ns, instant now) const {
-  const auto wait_ns = flight_.configured.service_wait_ms * 1'000'000;
+  const auto wait_ns = service_wait_ns();
   return std::max(said_ns + wait_ns, now.now_ns + std::min(wait_ns, least_wait_ns));
 }
 
@@ -36,7 +38,7 @@ bool plan_changes::is_too_old(std::int64_t said_ns, instant now) { return now.wa
 bool plan_changes::is_wait_over(instant now) {
   const auto& asked = *flight_.s.change;
   if (!waits_for_ || waits_for_->key != asked.key) {
-    const auto wait_ns = flight_.configured.service_wait_ms * 1'000'000;
+    const auto wait_ns = service_wait_ns();
     const auto left_ns = std::clamp(asked.said_ns + wait_ns - now.wall_ns, std::int64_t{0}, wait_ns);
     waits_for_.emplace(awaited{asked.key, now.now_ns + left_ns});
   }

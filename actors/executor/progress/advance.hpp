@@ -5,7 +5,7 @@
 //   CURRENT(s + 1), REACHED(s)        s                reached, at REACHED
 //   CURRENT(s + 1), and no REACHED    s                reached, inferred, after reached_late_ns
 //   CURRENT(s + 3)                    s .. s + 2       reached, inferred, the same way
-//   CURRENT(target of a jump behind)  up to the jump   reached; then a new generation from the target on
+//   CURRENT(where a jump leads back)  up to the jump   reached; then a new generation from the target on
 //   state complete, and no REACHED    all up to there  reached, inferred, the same way
 //
 // Items are resolved in the order of the mission, each once in a generation, so an index never goes back. What waits

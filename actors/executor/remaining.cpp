@@ -22,7 +22,10 @@ std::optional<std::string> last_done(const state& s) {
   if (!s.mission || !s.progress.plan || s.progress.plan->map.items.empty())
     return std::nullopt;
   const auto& items = s.progress.plan->map.items;
-  const auto resolved = std::min<std::size_t>(s.progress.plan->ever_resolved, items.size());
+  const auto& generation = s.progress.plan->generation;
+  auto resolved = std::min<std::size_t>(generation.resolved, items.size());
+  while (generation.moved_to && resolved < items.size() && progress::is_passed(items[resolved], *generation.moved_to))
+    ++resolved; // its REACHED may still come
   if (resolved != 0)
     return items[resolved - 1].item_id;
   // What stands before a plan was flown by the one before. The mission may have changed since: the plan's own counts.

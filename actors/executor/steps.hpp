@@ -47,6 +47,7 @@ struct bring_plan {}; // the deployment of the task; its intent is noted by then
 struct set_current_item {
   std::uint16_t sequence = 0;
   std::uint16_t total = 0; // of the plan, as MISSION_CURRENT counts it; 0: not looked at
+  bool anew = false;       // ordered as item 0: an ArduPilot goes to its first item and forgets what it has counted
 };
 struct set_home {}; // to that of the mission, by a command: arming does not move it then
 struct see_home {}; // it is there, in the vehicle's own words

@@ -116,7 +116,7 @@ void task_runner::ask(const world& w, const bring_plan&) {
 
 void task_runner::ask(const world& w, const set_current_item& what) {
   w.out.emplace_back(order{urgency(), ++last_order_, w.now_ns, std::exchange(expected_, {}),
-                           vehicle_link::set_current_item{what.sequence, known(w)}});
+                           vehicle_link::set_current_item{what.anew ? std::uint16_t{0} : what.sequence, known(w)}});
 }
 
 void task_runner::ask(const world& w, const set_home&) {

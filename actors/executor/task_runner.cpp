@@ -182,7 +182,8 @@ bool task_runner::is_shown(const world& w) const {
   if (std::holds_alternative<disarm>(what))
     return !view.is_armed();
   if (const auto* item = std::get_if<set_current_item>(&what))
-    return view.current() && view.current_heard_ns() > asked_ns_ && view.current()->seq >= item->sequence &&
+    return view.current() && view.current_heard_ns() > asked_ns_ &&
+           view.current()->seq >= (item->anew ? 0 : item->sequence) &&
            (item->total == 0 || view.current()->total == 0 || view.current()->total == item->total);
   // A plan that begins with its end may be there before it was seen in its mode.
   const bool is_at_end = tries_ > 0 && was_accepted_ && w.authority.who() == flight::holder::autopilot_end;

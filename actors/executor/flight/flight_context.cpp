@@ -185,7 +185,9 @@ std::size_t flight_context::first_item(const mission::document& mission) const {
 }
 
 plan::plan_from flight_context::going_on(const mission::document& mission, std::size_t first_item) const {
-  return {first_item, lines_flown(s, mission, first_item)};
+  const bool is_begun = is_same_mission(mission) && s.progress.mission;
+  return {first_item, lines_flown(s, mission, first_item),
+          is_begun ? s.progress.mission->jumps : std::vector<progress::taken_jump>()};
 }
 
 std::optional<plan::plan_setting> flight_context::setting(instant now) const {

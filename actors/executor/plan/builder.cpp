@@ -5,6 +5,7 @@
 
 #include "actors/domain/mission/commands/item_class.hpp"
 #include "actors/executor/plan/item_planner.hpp"
+#include "actors/executor/plan/loop_rest.hpp"
 #include "actors/executor/plan/mission_look.hpp"
 #include "actors/executor/plan/plan_writer.hpp"
 #include "actors/executor/plan/vehicle_items.hpp"
@@ -36,7 +37,7 @@ bool begins_branch(const mission::document& mission, std::size_t index, const pl
   return next != mission.items.end() && !mission::is_take_off(*next);
 }
 
-// A jump to what is not in its plan: of a rest, the count of the rounds that were flown is on no vehicle.
+// A jump to what is not in its plan.
 std::optional<plan_error> lost_target(const mission::document& mission, std::size_t first,
                                       const std::vector<plan_writer>& writers) {
   for (const auto& each : writers)
@@ -45,16 +46,15 @@ std::optional<plan_error> lost_target(const mission::document& mission, std::siz
         const auto* const found = std::get_if<mission::jump>(&item);
         return found != nullptr && found->to == *target;
       });
-      const auto remedy = first == 0 ? "take the jump out, or put it in front of the landing"
-                                     : "start the mission again from item '" + *target + "', or take the jump out";
-      return plan_error{plan_errc::jump_left_out, static_cast<std::size_t>(jump - mission.items.begin()),
-                        mission::id_of(*jump),
-                        "It leads back to item '" + *target +
-                            "', which is not in what is flown next, and how many "
-                            "rounds are left is not known",
-                        remedy};
+      return jump_left_out(mission, first, static_cast<std::size_t>(jump - mission.items.begin()));
     }
   return std::nullopt;
+}
+
+// A multirotor that stands on the ground in the middle of the mission.
+std::optional<double> takes_off_again(const mission::document& mission, const plan_setting& setting, std::size_t from) {
+  return setting.is_under_way || setting.vehicle != vehicle_class::multirotor ? std::nullopt
+                                                                              : take_off_before(mission, from);
 }
 
 } // namespace
@@ -77,19 +77,31 @@ tl::expected<std::vector<flight_plan>, plan_error> build_plans(const mission::do
          "begin with an item that it has"});
   std::vector<plan_writer> writers;
   writers.emplace_back(setting, setting.start, setting.is_under_way, speed_before(mission, from.item_index));
-  bool owes_state = from.item_index > 0;
-  for (auto i = from.item_index; i < count; ++i) {
+  const auto begin = loop_begin(mission, from.item_index);
+  if (auto problem = uncounted_jump(mission, begin, from, setting))
+    return failure(*std::move(problem));
+  if (begin < from.item_index) {
+    item_planner planner(mission, setting, writers.back());
+    planner.repeat_state_of(from.item_index);
+    if (const auto altitude_m = takes_off_again(mission, setting, from.item_index))
+      planner.take_off_again(*altitude_m);
+    if (auto problem = planner.lead_in(from.item_index))
+      return failure(*std::move(problem));
+  }
+  bool owes_state = from.item_index > 0 && begin == from.item_index;
+  for (auto i = begin; i < count; ++i) {
     if (writers.back().ends_on_ground() && !writers.back().is_branch() && begins_branch(mission, i, setting))
       writers.back().begin_branch();
     else if (writers.back().ends_on_ground() && (!writers.back().is_branch() || mission::is_take_off(mission.items[i])))
       writers.push_back(writer_behind(writers.back(), setting));
     item_planner planner(mission, setting, writers.back());
+    planner.count_jumps(from.jumps);
+    const bool is_first = i == from.item_index && begin == i;
     if (owes_state)
       planner.repeat_state_of(from.item_index);
-    if (const auto altitude_m = take_off_before(mission, i);
-        altitude_m && i == from.item_index && !setting.is_under_way && setting.vehicle == vehicle_class::multirotor)
+    if (const auto altitude_m = takes_off_again(mission, setting, i); altitude_m && is_first)
       planner.take_off_again(*altitude_m);
-    if (auto problem = planner.write(i, i == from.item_index ? from.lines_before : 0))
+    if (auto problem = planner.write(i, is_first ? from.lines_before : 0))
       return failure(*std::move(problem));
     owes_state = owes_state && !planner.has_repeated_state();
     if (writers.back().size() > max_plan_items)

@@ -27,7 +27,8 @@ namespace godwit::executor::plan {
 // Where the mission is to be taken up.
 struct plan_from {
   std::size_t item_index = 0;
-  std::uint32_t lines_before = 0; // of that item, when it is a survey: already flown, see lines_done_at
+  std::uint32_t lines_before = 0;               // of that item, when it is a survey: already flown, see lines_done_at
+  std::vector<progress::taken_jump> jumps = {}; // so often was each of them taken
 };
 
 // At least one plan.

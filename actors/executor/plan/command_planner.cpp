@@ -185,7 +185,11 @@ item_planner::outcome item_planner::plan(const mission::jump& item) {
         writer_.jump_to(*place);
       break;
     }
-  writer_.add_jump(jump_item(item.times), item.to);
+  const auto taken = std::ranges::find(taken_, item.id, &progress::taken_jump::item_id);
+  const auto left = taken == taken_.end() || item.times < 0
+                        ? item.times
+                        : std::max(0, item.times - static_cast<std::int32_t>(taken->taken));
+  writer_.add_jump(jump_item(left), item.to);
   return std::nullopt;
 }
 

@@ -45,20 +45,47 @@ std::optional<plan_error> item_planner::write(std::size_t index, std::uint32_t l
   lines_before_ = lines_before;
   const auto& item = mission_.items.at(index);
   writer_.begin_item(mission::id_of(item), static_cast<std::uint32_t>(index));
-  if (take_off_first_m_) {
-    auto up = writer_.start();
-    up.altitude_m = take_off_altitude_m(*take_off_first_m_);
-    writer_.climb_to(up.altitude_m);
-    writer_.add_take_off(takeoff_item(up, setting_));
-  }
-  const bool flies_on = writer_.is_in_air() || is(vehicle_class::rover);
-  if (rest_from_ && flies_on && mission::moves_vehicle(item) && !mission::is_take_off(item) && !writer_.is_branch()) {
-    if (is_of_change(mission::id_of(item)))
-      leave_line();
-    else
-      repeat_state();
-  }
+  take_off_first();
+  repeat_or_leave_line();
   return std::visit([&](const auto& each) { return plan(each); }, item);
+}
+
+std::optional<plan_error> item_planner::lead_in(std::size_t index) {
+  index_ = index;
+  writer_.begin_lead_in(static_cast<std::uint32_t>(index));
+  take_off_first();
+  if (auto problem = why_not_flown())
+    return problem;
+  const auto rest = std::span(mission_.items).subspan(index);
+  const auto moving = std::ranges::find_if(rest, mission::moves_vehicle);
+  if (moving == rest.end())
+    return error(plan_errc::nothing_to_fly, "No item from there on moves the vehicle", "give it a place to go to");
+  index_ = index + static_cast<std::size_t>(moving - rest.begin());
+  repeat_or_leave_line();
+  if (const auto place = position_of(*moving))
+    writer_.cruise_to(*place);
+  writer_.end_lead_in(mission::id_of(mission_.items[index]));
+  return std::nullopt;
+}
+
+void item_planner::take_off_first() {
+  if (!take_off_first_m_)
+    return;
+  auto up = writer_.start();
+  up.altitude_m = take_off_altitude_m(*take_off_first_m_);
+  writer_.climb_to(up.altitude_m);
+  writer_.add_take_off(takeoff_item(up, setting_));
+}
+
+void item_planner::repeat_or_leave_line() {
+  const auto& item = mission_.items.at(index_);
+  const bool flies_on = writer_.is_in_air() || is(vehicle_class::rover);
+  if (!rest_from_ || !flies_on || !mission::moves_vehicle(item) || mission::is_take_off(item) || writer_.is_branch())
+    return;
+  if (is_of_change(mission::id_of(item)))
+    leave_line();
+  else
+    repeat_state();
 }
 
 item_planner::outcome item_planner::error(plan_errc code, std::string what, std::string remedy) const {

@@ -32,6 +32,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "actors/domain/mission/commands/command_table.hpp"
 #include "actors/executor/plan/plan_error.hpp"
@@ -58,6 +59,13 @@ public:
   // Writes item INDEX of the mission, without the first LINES_BEFORE of its lines if it is a survey. The error says why
   // it can not be said to this vehicle; the plan is of no use then.
   [[nodiscard]] std::optional<plan_error> write(std::size_t index, std::uint32_t lines_before);
+
+  // What a plan needs that begins at item INDEX, within a loop, before the items that the loop leads back to: the
+  // take-off, and what was set before.
+  [[nodiscard]] std::optional<plan_error> lead_in(std::size_t index);
+
+  // How often the vehicle has taken the jumps of the mission.
+  void count_jumps(std::span<const progress::taken_jump> taken) { taken_ = taken; }
 
   // From now on the item that is written next takes off first, in its own name: the flight that it belongs to was
   // broken off, and the vehicle stands on the ground. For multirotors, which need no runway.
@@ -89,6 +97,8 @@ private:
   [[nodiscard]] mission::item_answer answer_to(const mission::command_item& item) const;
   // Where it leads; none: here.
   [[nodiscard]] std::optional<mission::position> position_of(const mission::item& item) const;
+  void take_off_first();
+  void repeat_or_leave_line();
   void repeat_state();
   void leave_line();
 
@@ -115,6 +125,7 @@ private:
   plan_writer& writer_;
   std::size_t index_ = 0;
   std::uint32_t lines_before_ = 0;
+  std::span<const progress::taken_jump> taken_;
   std::optional<double> take_off_first_m_;
   std::optional<std::size_t> rest_from_;
   bool has_repeated_ = false;

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "actors/domain/geo/geodesic.hpp"
+#include "actors/executor/plan/places.hpp"
 #include "actors/executor/plan/vehicle_items.hpp"
 #include "runtime/assert.hpp"
 
@@ -70,11 +72,12 @@ void plan_writer::begin_item(const std::string& id, std::uint32_t index) {
 }
 
 void plan_writer::append(const mission_item_int& item) {
-  GODWIT_ASSERT(!plan_.map.items.empty(), "plan: a vehicle item belongs to an item of the mission");
-  auto& owner = plan_.map.items.back();
   const auto sequence = sequence_of(plan_.items.size());
   plan_.items.push_back(item);
   plan_.items.back().seq = sequence;
+  if (plan_.map.items.empty())
+    return; // of the lead-in
+  auto& owner = plan_.map.items.back();
   ++owner.sequence_count;
   if (!is_nav(item) || owner.role == progress::item_role::unflown)
     return;
@@ -121,6 +124,22 @@ void plan_writer::add_verbatim(const mission_item_int& item, progress::item_role
   append(item);
 }
 
+std::uint32_t plan_writer::item_index() const {
+  return plan_.map.items.empty() ? lead_in_item_ : plan_.map.items.back().item_index;
+}
+
+// A PX4 whose plan begins with a jump stays at it for ever. It begins at the item that is marked as the current one; an
+// ArduPilot begins at the first.
+void plan_writer::end_lead_in(const std::string& entry) {
+  pay_speed();
+  entry_ = loop_entry{.item_id = entry, .jump_sequence = {}, .legs_before = plan_.legs.size()};
+  skips_leg_ = true;
+  if (!is_ardupilot(setting_) && plan_.items.size() == plan_.map.first_sequence)
+    return;
+  entry_->jump_sequence = sequence_of(plan_.items.size());
+  append(jump_item(1));
+}
+
 void plan_writer::add_jump(const mission_item_int& item, const std::string& to) {
   jumps_.push_back({sequence_of(plan_.items.size()), plan_.map.items.back().item_index, to, item.param2});
   add_verbatim(item, progress::item_role::acts);
@@ -135,7 +154,7 @@ void plan_writer::jump_to(const mission::position& to) {
 void plan_writer::begin_branch() {
   is_branch_ = true;
   is_in_air_ = true;
-  has_left_ = false;
+  skips_leg_ = true;
   landed_at_ = here_;
 }
 
@@ -157,12 +176,8 @@ void plan_writer::end_survey() {
 }
 
 void plan_writer::go(leg_kind kind, const mission::position& to) {
-  if (is_branch_ && !has_left_) {
-    has_left_ = true;
-    here_ = to;
-    return;
-  }
-  plan_.legs.push_back({kind, here_, to, plan_.map.items.back().item_index});
+  if (!std::exchange(skips_leg_, false))
+    plan_.legs.push_back({kind, here_, to, item_index()});
   here_ = to;
 }
 
@@ -203,25 +218,63 @@ void plan_writer::take_over(const progress::plan_map& idle) {
   }
 }
 
-// The legs from the target of a jump up to it are flown once more each time, and its own as often as it is taken. Loops
-// within loops multiply, which is more than vehicles fly that count each jump once.
+// The legs from the target of a jump up to it are flown once more each time, and its own as often as it is taken; those
+// before the item with which the plan begins, once less. Loops within loops multiply, which is more than vehicles fly
+// that count each jump once.
 void plan_writer::count_rounds(flight_plan& plan) const {
   constexpr double most = 1e6;
+  const auto begins_at =
+      plan.map.items_before < plan.map.items.size() ? plan.map.items[plan.map.items_before].item_index : 0;
+  const auto legs = std::span(plan.legs).subspan(entry_ ? entry_->legs_before : 0);
   for (const auto& jump : jumps_) {
     const auto target = std::ranges::find(plan.map.items, jump.to, &progress::mapped_item::item_id);
     if (target->item_index > jump.item_index)
       continue;
     const double taken = std::max(jump.times, 0.0);
-    for (auto& leg : plan.legs)
+    for (auto& leg : legs) {
+      const bool is_jump = leg.item_index == jump.item_index;
+      const double rounds = is_jump ? std::max(taken, 1.0) : leg.item_index < begins_at ? taken : taken + 1;
       if (leg.item_index >= target->item_index && leg.item_index <= jump.item_index)
-        leg.times = std::min(most, leg.times * (leg.item_index == jump.item_index ? std::max(taken, 1.0) : taken + 1));
+        leg.times = std::min(most, leg.times * rounds);
+    }
   }
+}
+
+// Back over JUMP, which leads to TARGET.
+progress::plan_loop plan_writer::loop_of(const flight_plan& plan, const planned_jump& jump,
+                                         const progress::mapped_item& target) const {
+  const double fastest_mps = setting_.vehicle == flight::vehicle_class::fixed_wing ? 60 : 30;
+  double length_m = 0;
+  for (const auto& each : std::span(plan.legs).subspan(entry_ ? entry_->legs_before : 0))
+    if (each.item_index > target.item_index && each.item_index <= jump.item_index)
+      length_m += std::hypot(geo::distance_m(point_of(each.from), point_of(each.to)),
+                             each.to.altitude_m - each.from.altitude_m);
+  return {.target_sequence = target.first_sequence,
+          .jump_sequence = jump.sequence,
+          .round_ns = static_cast<std::int64_t>(length_m / fastest_mps * 1e9),
+          .counts_anew = is_ardupilot(setting_)};
+}
+
+void plan_writer::lead_in(flight_plan& plan) const {
+  if (!entry_)
+    return;
+  auto& map = plan.map;
+  const auto entry = std::ranges::find(map.items, entry_->item_id, &progress::mapped_item::item_id);
+  GODWIT_ASSERT(entry != map.items.end(), "plan: a lead-in leads to an item of the plan");
+  map.items_before = static_cast<std::uint32_t>(entry - map.items.begin());
+  if (!entry_->jump_sequence) {
+    map.start_sequence = entry->first_sequence;
+    return;
+  }
+  plan.items.at(*entry_->jump_sequence).param1 = entry->first_sequence;
+  map.enters_at = entry->first_sequence;
 }
 
 flight_plan plan_writer::finished() const {
   GODWIT_ASSERT(has_moved(), "plan: a plan moves the vehicle");
   auto plan = plan_;
   drop_idle_commands(plan);
+  lead_in(plan);
   plan.items.at(plan.map.start_sequence).current = 1;
   plan.map.total = sequence_of(plan.items.size() - plan.map.first_sequence);
   for (const auto& each : jumps_) {
@@ -229,7 +282,7 @@ flight_plan plan_writer::finished() const {
     GODWIT_ASSERT(target != plan.map.items.end(), "plan: a jump leads to an item of the plan");
     plan.items.at(each.sequence).param1 = target->first_sequence;
     if (target->first_sequence < each.sequence && each.times != 0)
-      plan.map.loops.push_back({target->first_sequence, each.sequence});
+      plan.map.loops.push_back(loop_of(plan, each, *target));
   }
   count_rounds(plan);
   if (is_ardupilot(setting_))

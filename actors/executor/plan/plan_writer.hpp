@@ -40,6 +40,10 @@ public:
   void jump_to(const mission::position& to);
   // What follows comes after a landing and is no flight of its own: the vehicle keeps it, and nobody begins it.
   void begin_branch();
+  // What is written before the first item of a plan that begins at item INDEX, within a loop, belongs to no item.
+  void begin_lead_in(std::uint32_t index) { lead_in_item_ = index; }
+  // On to the item called ENTRY, which comes after those that the loop leads back to.
+  void end_lead_in(const std::string& entry);
   void note(std::string sentence) { plan_.notes.push_back(std::move(sentence)); }
   // Behind it come its lines.
   void begin_survey(std::uint32_t lines_before);
@@ -75,6 +79,7 @@ public:
 
 private:
   void append(const io::mavlink::mission_item_int& item);
+  [[nodiscard]] std::uint32_t item_index() const;
   void go(leg_kind kind, const mission::position& to);
   void pay_speed();
 
@@ -89,7 +94,7 @@ private:
   std::optional<double> speed_mps_;
   std::size_t navs_ = 0;
   bool is_branch_ = false;
-  bool has_left_ = false; // in a branch: its first place is not flown to from the landing
+  bool skips_leg_ = false; // its next place is not flown to from here
   mission::position landed_at_;
   struct planned_jump {
     std::uint16_t sequence;
@@ -97,9 +102,19 @@ private:
     std::string to;           // the id of an item
     double times;             // below 0: for ever
   };
+  struct loop_entry {
+    std::string item_id;
+    std::optional<std::uint16_t> jump_sequence; // none: the vehicle begins there
+    std::size_t legs_before = 0;
+  };
+  void lead_in(flight_plan& plan) const;
   void count_rounds(flight_plan& plan) const;
+  [[nodiscard]] progress::plan_loop loop_of(const flight_plan& plan, const planned_jump& jump,
+                                            const progress::mapped_item& target) const;
 
   std::vector<planned_jump> jumps_;
+  std::uint32_t lead_in_item_ = 0;
+  std::optional<loop_entry> entry_;
   flight_plan plan_;
 };
 

@@ -107,6 +107,23 @@ void adopt_complete(decision_context& t) {
   finish(t, true);
 }
 
+taken_jump& count_of(decision_context& t, const plan_loop& loop) {
+  const auto& map = t.s.plan->map;
+  auto& jumps = t.s.mission->jumps;
+  const auto position = position_at(map, loop.jump_sequence);
+  GODWIT_ASSERT(position, "the jump of a loop belongs to an item of the mission");
+  const auto& id = map.items[*position].item_id;
+  const auto known = std::ranges::find(jumps, id, &taken_jump::item_id);
+  return known != jumps.end() ? *known : jumps.emplace_back(taken_jump{.item_id = id});
+}
+
+// A vehicle that forgets its count as it leaves a loop counts anew when it comes there again.
+void leave_loops(decision_context& t, std::uint16_t from, std::uint16_t to) {
+  for (const auto& each : t.s.plan->map.loops)
+    if (each.counts_anew && from <= each.jump_sequence && each.jump_sequence < to)
+      count_of(t, each) = {.item_id = count_of(t, each).item_id};
+}
+
 void wait_if_new(decision_context& t, bool was_waiting) {
   if (!was_waiting)
     t.s.plan->generation.waiting_since_ns = t.now_ns;
@@ -124,6 +141,7 @@ void move_on(decision_context& t, std::uint16_t sequence) {
   if (g.moved_to)
     adopt_move(t);
   GODWIT_ASSERT(sequence > g.current, "a generation goes forward");
+  leave_loops(t, g.current, sequence);
   const bool was_waiting = is_waiting(g);
   g.moved_to = sequence;
   if (awaits_reached(*t.s.plan))
@@ -142,12 +160,31 @@ void go_round(decision_context& t, const plan_loop& loop, std::uint16_t sequence
   if (g.moved_to)
     adopt_move(t);
   const bool is_active = g.is_active;
+  ++count_of(t, loop).taken;
   open_generation(t, generation_origin::round, loop.target_sequence);
   g.is_armed = true;
   g.was_active = true;
   g.is_active = is_active;
   g.current = sequence;
+  g.heard_ns = t.now_ns;
   begin(t);
+}
+
+// Heard at SEQUENCE. For so long a vehicle may be silent and not have flown a round more than anybody saw.
+void note_heard(decision_context& t, std::uint16_t sequence) {
+  constexpr std::int64_t parts = 4;
+  auto& g = t.s.plan->generation;
+  const auto at = g.moved_to.value_or(g.current);
+  const auto heard_ns = g.heard_ns;
+  for (const auto& each : t.s.plan->map.loops) {
+    const auto is_within = [&](std::uint16_t one) { return one >= each.target_sequence && one <= each.jump_sequence; };
+    if (each.round_ns == 0 || !is_within(at) || !is_within(sequence))
+      continue;
+    if (heard_ns != 0 && is_over(heard_ns, t.now_ns, each.round_ns))
+      count_of(t, each).is_certain = false;
+    if (is_over(heard_ns, t.now_ns, each.round_ns / parts))
+      g.heard_ns = t.now_ns;
+  }
 }
 
 void arrive(decision_context& t, std::uint16_t sequence) {
@@ -219,6 +256,8 @@ void open_generation(decision_context& t, generation_origin origin, std::uint16_
   for (const auto& each : left_out)
     report_item(t, progress_kind::skipped, each, false);
   auto& resolved = plan.generation.resolved;
+  if (is_in_lead_in(plan.map, start))
+    resolved = plan.map.items_before;
   for (; resolved < plan.map.items.size() && is_jumped_over(plan.map.items[resolved], start); ++resolved)
     if (resolved >= plan.ever_resolved)
       report_item(t, progress_kind::skipped, plan.map.items[resolved], false);

@@ -27,6 +27,10 @@ void move_on(decision_context& t, std::uint16_t sequence);
 // which the items of the loop are reported again.
 void go_round(decision_context& t, const plan_loop& loop, std::uint16_t sequence);
 
+// It is heard at SEQUENCE. Where that comes after a gap in which it may have flown a round, how many rounds it has
+// flown is not certain any more.
+void note_heard(decision_context& t, std::uint16_t sequence);
+
 // It has reached SEQUENCE: the one where it is, or one that it has just left.
 void arrive(decision_context& t, std::uint16_t sequence);
 

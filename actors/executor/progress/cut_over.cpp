@@ -1,5 +1,6 @@
 #include "actors/executor/progress/cut_over.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "actors/executor/progress/advance.hpp"
@@ -30,7 +31,8 @@ std::vector<mapped_item> left_out(const state& s, const pending_upload& upload) 
   if (!s.plan || upload.intent.revision != s.mission->revision || is_way_home(upload.intent.map))
     return result;
   const auto& old = *s.plan;
-  const auto goes_on_at = upload.intent.map.items.front().item_index;
+  const auto& map = upload.intent.map;
+  const auto goes_on_at = map.items[std::min<std::size_t>(map.items_before, map.items.size() - 1)].item_index;
   for (auto i = old.ever_resolved; i < old.map.items.size() && old.map.items[i].item_index < goes_on_at; ++i)
     result.push_back(old.map.items[i]);
   return result;
@@ -60,10 +62,12 @@ void cut_over(decision_context& t, std::optional<std::uint32_t> plan_id) {
   // The same content: PX4 goes on where it is, and repeats the MISSION_ITEM_REACHED that it has repeated before.
   const bool is_same = plan_id && t.s.plan && t.s.plan->vehicle_plan_id == plan_id;
   const auto last_reached = is_same ? t.s.plan->last_reached : std::nullopt;
+  const auto items_before = upload.intent.map.items_before;
   t.s.plan = followed_plan{.map = std::move(upload.intent.map),
                            .vehicle_plan_id = plan_id == 0U ? std::nullopt : plan_id,
                            .id_before = upload.intent.id_before,
                            .last_reached = last_reached,
+                           .ever_resolved = items_before,
                            .generation = {}};
   open_generation(t, is_same ? generation_origin::same_plan : generation_origin::new_plan, start, skipped);
   release_held(t);

@@ -105,6 +105,7 @@ void follow_armed(decision_context& t, const mission_current& message) {
   if (is_resolving(t) && !is_still_at_start(t, message))
     return;
   note_mission_state(g, message);
+  note_heard(t, message.seq);
   if (is_over(g.waiting_since_ns, t.now_ns, reached_late_ns))
     catch_up(t);
   const auto at = g.moved_to.value_or(g.current);

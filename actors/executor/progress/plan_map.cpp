@@ -35,6 +35,8 @@ bool is_sound(const plan_map& map) {
       return false;
     free_from = behind(item);
   }
+  if (map.items_before > map.items.size() || (map.enters_at && !has_sequence(map, *map.enters_at)))
+    return false;
   return std::ranges::all_of(map.loops, [&](const plan_loop& each) {
     return has_sequence(map, each.target_sequence) && has_sequence(map, each.jump_sequence) &&
            each.target_sequence < each.jump_sequence;
@@ -69,7 +71,16 @@ bool is_passed(const mapped_item& item, std::uint16_t sequence) {
   return item.sequence_count == 0 ? item.first_sequence <= sequence : done_sequence(item) < sequence;
 }
 
+bool is_in_lead_in(const plan_map& map, std::uint16_t start) {
+  return map.enters_at && start < map.items.front().first_sequence;
+}
+
 bool is_start(const plan_map& map, std::uint16_t start, std::uint16_t sequence) {
+  if (is_in_lead_in(map, start)) {
+    if (sequence >= start && sequence < map.items.front().first_sequence)
+      return true;
+    start = *map.enters_at;
+  }
   if (sequence == start)
     return true;
   const auto moving = std::find_if(map.items.begin(), map.items.end(), [&](const mapped_item& each) {

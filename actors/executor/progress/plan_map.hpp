@@ -55,11 +55,25 @@ struct mapped_item {
 struct plan_loop {
   std::uint16_t target_sequence = 0;
   std::uint16_t jump_sequence = 0;
+  std::int64_t round_ns = 0; // no vehicle flies a round in less; 0: a single place, whose rounds nobody sees
+  bool counts_anew = false;  // the vehicle forgets the count as it leaves the loop (ArduPilot)
 
   static constexpr auto fields =
       io::table("executor.progress_plan_loop", io::field("target_sequence", &plan_loop::target_sequence),
-                io::field("jump_sequence", &plan_loop::jump_sequence));
+                io::field("jump_sequence", &plan_loop::jump_sequence), io::field("round_ns", &plan_loop::round_ns),
+                io::field("counts_anew", &plan_loop::counts_anew));
   friend bool operator==(const plan_loop&, const plan_loop&) = default;
+};
+
+// How often the vehicle has taken a jump of the mission that leads back.
+struct taken_jump {
+  std::string item_id;
+  std::uint32_t taken = 0;
+  bool is_certain = true; // nobody has listened for as long as a round may take: it may be more
+  static constexpr auto fields =
+      io::table("executor.progress_taken_jump", io::field("item_id", &taken_jump::item_id),
+                io::field("taken", &taken_jump::taken), io::field("is_certain", &taken_jump::is_certain));
+  friend bool operator==(const taken_jump&, const taken_jump&) = default;
 };
 
 struct plan_map {
@@ -69,12 +83,18 @@ struct plan_map {
   bool ends_mission = false;         // no further plan of this mission follows
   std::vector<mapped_item> items;    // in the order of the mission
   std::vector<plan_loop> loops = {}; // in the order of their jumps
+  // Of a plan that begins within a loop: so many items from the front were flown before, and stand here for the jump
+  // that leads back to them.
+  std::uint32_t items_before = 0;
+  // Where the lead-in ends with a jump, over them. Absent: the vehicle begins there, or at the first item.
+  std::optional<std::uint16_t> enters_at = {};
 
   static constexpr auto fields =
       io::table("executor.progress_plan_map", io::field("first_sequence", &plan_map::first_sequence),
                 io::field("total", &plan_map::total), io::field("start_sequence", &plan_map::start_sequence),
                 io::field("ends_mission", &plan_map::ends_mission), io::field("items", &plan_map::items),
-                io::field("loops", &plan_map::loops));
+                io::field("loops", &plan_map::loops), io::field("items_before", &plan_map::items_before),
+                io::field("enters_at", &plan_map::enters_at));
   friend bool operator==(const plan_map&, const plan_map&) = default;
 };
 
@@ -106,9 +126,13 @@ inline constexpr std::uint16_t no_sequence = 65535;
 // A vehicle that is at SEQUENCE has ITEM behind it.
 [[nodiscard]] bool is_passed(const mapped_item& item, std::uint16_t sequence);
 
-// A vehicle that begins at START is first seen there, or at the first item behind it that moves it: what stands before
-// that takes no time. Inside of an item of several movements only START itself counts.
+// A vehicle that begins at START is first seen there, or at the first item after it that moves it: what stands before
+// that takes no time. Inside of an item of several movements only START itself counts. From a lead-in that ends with a
+// jump it is first seen in there, or where the jump leads.
 [[nodiscard]] bool is_start(const plan_map& map, std::uint16_t start, std::uint16_t sequence);
+
+// START is in the lead-in, which ends with a jump.
+[[nodiscard]] bool is_in_lead_in(const plan_map& map, std::uint16_t start);
 
 // The loop that takes a vehicle from AT back to SEQUENCE, the innermost of several. Nothing: none does.
 [[nodiscard]] std::optional<plan_loop> loop_between(const plan_map& map, std::uint16_t at, std::uint16_t sequence);

@@ -36,11 +36,12 @@ struct mission_record {
   std::uint32_t report_no = 0;                         // of the last report
   std::optional<mission::progress_report> last_report; // what the answer to an assignment tells
   std::optional<std::int32_t> completed_revision;      // complete is reported once for each
-  static constexpr auto fields =
-      io::table("executor.progress_mission_record", io::field("mission_id", &mission_record::mission_id),
-                io::field("revision", &mission_record::revision), io::field("report_no", &mission_record::report_no),
-                io::field("last_report", &mission_record::last_report),
-                io::field("completed_revision", &mission_record::completed_revision));
+  std::vector<taken_jump> jumps = {};                  // those that were taken; as many as the mission has
+  static constexpr auto fields = io::table(
+      "executor.progress_mission_record", io::field("mission_id", &mission_record::mission_id),
+      io::field("revision", &mission_record::revision), io::field("report_no", &mission_record::report_no),
+      io::field("last_report", &mission_record::last_report),
+      io::field("completed_revision", &mission_record::completed_revision), io::field("jumps", &mission_record::jumps));
 };
 
 enum class generation_origin {
@@ -74,6 +75,8 @@ struct generation_state {
   std::optional<std::uint16_t> moved_to;
   std::optional<std::uint16_t> complete_upto;
   std::int64_t waiting_since_ns = 0;
+  // Where the plan has loops: the vehicle was last heard no longer than a part of a round after this.
+  std::int64_t heard_ns = 0;
   // A vehicle with plan ids (PX4) repeats the last MISSION_ITEM_REACHED, and goes on with that behind a start which
   // changes nothing for it: this one is no news until another one was told.
   std::optional<std::uint16_t> stale_reached;
@@ -91,7 +94,7 @@ struct generation_state {
       io::field("current", &generation_state::current), io::field("moved_to", &generation_state::moved_to),
       io::field("complete_upto", &generation_state::complete_upto),
       io::field("waiting_since_ns", &generation_state::waiting_since_ns),
-      io::field("stale_reached", &generation_state::stale_reached),
+      io::field("heard_ns", &generation_state::heard_ns), io::field("stale_reached", &generation_state::stale_reached),
       io::field("never_near", &generation_state::never_near), io::field("settled", &generation_state::resolved),
       io::field("started_position", &generation_state::started_position));
 };

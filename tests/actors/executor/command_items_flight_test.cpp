@@ -210,22 +210,6 @@ TEST(command_items_flight, a_rest_repeats_what_was_set_and_begins_the_line_anew)
   }
 }
 
-TEST(command_items_flight, a_rest_within_a_loop_is_refused_with_the_item_to_start_again_from) {
-  flight_world world({.who = personality::px4});
-  const auto mission = mission_with(personality::px4, 4, {mission::jump{"again", "w1", 2}});
-  ASSERT_TRUE(tests::fly_to(world, mission, progress_kind::started, "w3"));
-  const auto plan = commands_on(world);
-  const auto answer = world.say(go_to_beside(personality::px4));
-  world.run_for(20);
-  if (answer.is_taken) {
-    const auto back = world.say(operators::command_kind::cancel);
-    world.run_for(5);
-    EXPECT_TRUE(!back.is_taken || world.story().find("start the mission again from item 'w1'") != std::string::npos)
-        << world.story();
-  }
-  EXPECT_NE(world.durable().status.now, phase::aborted) << world.story();
-}
-
 // -- each command of the table on each vehicle ----------------------------------------------------
 
 // Numbers as a person would give them; a place of its own between w1 and w2.

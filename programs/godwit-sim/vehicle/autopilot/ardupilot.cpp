@@ -102,7 +102,10 @@ void ardupilot::on_mode_entered(const flight_mode& mode) {
     start_or_resume();
 }
 
-void ardupilot::on_restart() { load_plan(); }
+void ardupilot::on_restart() {
+  load_plan();
+  run().forget_jumps();
+}
 
 // FENCE_ACTION 1. The HEARTBEAT of the new mode goes out before the text (ArduCopter/fence.cpp; seen in one
 // millisecond).
@@ -133,13 +136,17 @@ void ardupilot::start_or_resume() {
     return;
   if (phase_ == mission_phase::complete)
     reset_mission();
+  run().count_left_loops_anew(); // AP_Mission::get_next_cmd, without MIS_OPTIONS DONT_ZERO_COUNTER
   run().start(run().current());
   phase_ = mission_phase::running;
   is_at_beginning_ = false;
 }
 
+// The counts of jumps hang on their places in the plan, and stay (AP_Mission::init_jump_tracking has no other callers
+// than a reset, item 0 and a mission that was completed).
 void ardupilot::load_plan() {
-  run().load(held_mission().items, first_flown);
+  run().replace(held_mission().items, first_flown, first_flown);
+  run().stop();
   phase_ = mission_phase::stopped;
   is_at_beginning_ = true;
 }
@@ -190,6 +197,8 @@ void ardupilot::on_half_a_plan() {
 bool ardupilot::choose(int sequence) {
   if (run().is_empty() || !run().set_current(std::max(sequence, first_flown)))
     return false;
+  if (phase_ == mission_phase::complete || sequence < first_flown)
+    run().forget_jumps();
   if (phase_ == mission_phase::complete)
     phase_ = mission_phase::stopped;
   is_at_beginning_ = sequence < first_flown;

@@ -271,6 +271,7 @@ void px4::take_plan(const plans::plan_change& what) {
   const bool was_completed = run().state() == run_state::completed;
   const int current = what.marked_current.value_or(was_completed ? 0 : old_current);
   run().replace(held_mission().items, 0, current);
+  run().forget_jumps();
   check_plan();
   if (is_infeasible_) {
     run().stop();

@@ -88,6 +88,7 @@ autopilot::answer rover::start_mission(const role::order& what) {
   }
   start_point_.reset();
   arm();
+  run().forget_jumps();
   run().start(decision.first, decision.last);
   enter(mode_kind::mission);
   say(mav_severity::info, decision.text);

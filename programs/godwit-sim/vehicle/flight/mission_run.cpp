@@ -31,18 +31,20 @@ void mission_run::take(std::vector<mission_item_int> items, int first_flown) {
   items_ = std::move(items);
   first_flown_ = first_flown;
   last_ = -1;
-  wind_jumps();
+  jumps_in_a_row_ = 0;
   enter(first_flown);
 }
 
 void mission_run::load(std::vector<mission_item_int> items, int first_flown) {
+  forget_jumps();
   take(std::move(items), first_flown);
   state_ = run_state::idle;
 }
 
 void mission_run::replace(std::vector<mission_item_int> items, int first_flown, int current) {
   const bool was_running = state_ == run_state::running;
-  load(std::move(items), first_flown);
+  take(std::move(items), first_flown);
+  state_ = run_state::idle;
   if (current > first_flown && current < count())
     enter(current);
   if (was_running && !is_empty())
@@ -53,7 +55,9 @@ void mission_run::start(int first, int last) {
   GODWIT_ASSERT(first >= 0 && first < count() && !is_empty(), "a mission starts at one of its items");
   GODWIT_ASSERT(last < count() && (last < 0 || last >= first), "a mission ends at one of its items");
   last_ = last < 0 ? -1 : std::max(last, first_flown_);
-  wind_jumps();
+  jumps_in_a_row_ = 0;
+  if (state_ == run_state::completed)
+    forget_jumps();
   enter(std::max(first, first_flown_));
   state_ = run_state::running;
   ++starts_;
@@ -95,6 +99,10 @@ void mission_run::skip() {
   } else if (next.pauses && has_nav_from(next.to)) {
     is_held_ = true;
   } else {
+    if (counts_anew_)
+      std::erase_if(jumps_taken_, [&](const auto& each) {
+        return each.first > current_ && each.first < (next.jump >= 0 ? next.jump : next.to);
+      });
     if (next.jump >= 0)
       count_jump(next.jump);
     enter(next.to);
@@ -102,9 +110,7 @@ void mission_run::skip() {
 }
 
 void mission_run::count_jump(int sequence) {
-  auto& left = jumps_left_[static_cast<std::size_t>(sequence)];
-  if (left > 0)
-    --left;
+  ++jumps_taken_[sequence];
   ++jumps_in_a_row_;
 }
 
@@ -150,8 +156,9 @@ mission_run::next_item mission_run::find_next() const {
 
 std::optional<int> mission_run::jump_target(int sequence) const {
   const auto& item = items_[static_cast<std::size_t>(sequence)];
-  if (item.command != do_jump || jumps_left_[static_cast<std::size_t>(sequence)] == 0 ||
-      jumps_in_a_row_ >= max_jumps_in_a_row)
+  const auto repeats = repeats_of(item);
+  const bool is_used_up = repeats >= 0 && taken(sequence) >= repeats;
+  if (item.command != do_jump || is_used_up || jumps_in_a_row_ >= max_jumps_in_a_row)
     return std::nullopt;
   if (!(item.param1 >= static_cast<float>(first_flown_) && item.param1 < static_cast<float>(count())))
     return std::nullopt;
@@ -166,10 +173,9 @@ void mission_run::enter(int sequence) {
   ++changes_;
 }
 
-void mission_run::wind_jumps() {
-  jumps_in_a_row_ = 0;
-  jumps_left_.clear();
-  std::transform(items_.begin(), items_.end(), std::back_inserter(jumps_left_), repeats_of);
+int mission_run::taken(int jump) const {
+  const auto found = jumps_taken_.find(jump);
+  return found == jumps_taken_.end() ? 0 : found->second;
 }
 
 } // namespace godwit::sim

@@ -14,6 +14,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -30,9 +31,13 @@ class mission_run {
 public:
   // The plan is another one now: idle, at its first item. FIRST_FLOWN: 1 where item 0 is home.
   void load(std::vector<io::mavlink::mission_item_int> items, int first_flown = 0);
+  // How often each jump was taken is forgotten; load() does so, too. start() does not, but of a completed one.
+  void forget_jumps() { jumps_taken_.clear(); }
+  // A loop that was left counts anew when the run comes there again (ArduPilot).
+  void count_left_loops_anew() { counts_anew_ = true; }
   // What is loaded changes under way and the run goes on at sequence CURRENT (a vehicle that replaces its plan in
   // flight), or at the first item where there is no such. A bound of the last start() is gone. Not running: as load(),
-  // then set_current().
+  // then set_current(). What jumps were taken is kept, by their sequences.
   void replace(std::vector<io::mavlink::mission_item_int> items, int first_flown, int current);
 
   // Both within the plan; FIRST may be home, and then means the first flown one; LAST < 0: to the end. From anywhere,
@@ -84,10 +89,11 @@ private:
   void take(std::vector<io::mavlink::mission_item_int> items, int first_flown);
   void enter(int sequence);
   void count_jump(int sequence);
-  void wind_jumps();
+  [[nodiscard]] int taken(int jump) const;
 
   std::vector<io::mavlink::mission_item_int> items_;
-  std::vector<int> jumps_left_; // for each item; -1: no end
+  std::map<int, int> jumps_taken_; // by sequence
+  bool counts_anew_ = false;
   int first_flown_ = 0;
   int current_ = 0;
   int last_ = -1;

@@ -16,6 +16,7 @@ using mission::vehicle_profile;
 using progress::item_role;
 
 const mission::takeoff up{"up", 30};
+const mission::takeoff up_again{"up2", 30};
 const mission::return_home home_again{"back", mission::return_goal::home};
 
 command_item act(const char* id, std::uint16_t number, double first = 1, double second = 0, double third = 0) {
@@ -141,12 +142,108 @@ TEST(command_planner, a_jump_is_led_anew_in_the_rest_of_a_mission) {
   EXPECT_FLOAT_EQ(rest->front().items[3].param1, 0) << "with the take-off that the rest needs in front of it";
 }
 
-TEST(command_planner, a_rest_that_begins_within_a_loop_is_refused_because_its_rounds_are_not_known) {
-  const auto mission = mission_of(
-      {up, waypoint("a", at(500, 0, 30)), waypoint("b", at(500, 500, 30)), mission::jump{"j", "a", 2}, home_again});
-  EXPECT_EQ(why_not(mission, px4, {2, 0}),
-            "Item 'j': It leads back to item 'a', which is not in what is flown next, and how many rounds are left is "
-            "not known; start the mission again from item 'a', or take the jump out.");
+// up, a, b, c, twice back to a, home.
+mission::document looping() {
+  return mission_of({up, waypoint("a", at(500, 0, 30)), waypoint("b", at(500, 500, 30)), waypoint("c", at(0, 500, 30)),
+                     mission::jump{"j", "a", 2}, home_again});
+}
+
+plan_from after_rounds(std::size_t index, std::uint32_t taken, bool is_certain = true) {
+  return {index, 0, {{.item_id = "j", .taken = taken, .is_certain = is_certain}}};
+}
+
+plan_setting in_the_air(plan_setting setting) {
+  setting.is_under_way = true;
+  setting.start = at(500, 400, 30);
+  return setting;
+}
+
+TEST(command_planner, a_rest_within_a_loop_begins_at_its_item_and_has_the_rounds_that_are_left) {
+  const auto rest = build_plans(looping(), in_the_air(px4), after_rounds(2, 1));
+  ASSERT_TRUE(rest.has_value()) << rest.error().message();
+  const auto& plan = rest->front();
+  ASSERT_EQ(commands_of(plan), (commands{16, 16, 16, 177, 20}));
+  EXPECT_EQ(plan.map.start_sequence, 1) << "a PX4 that begins with a jump never goes on";
+  EXPECT_EQ(plan.items[1].current, 1);
+  EXPECT_FALSE(plan.map.enters_at.has_value());
+  EXPECT_EQ(plan.map.items_before, 1U);
+  EXPECT_FLOAT_EQ(plan.items[3].param1, 0);
+  EXPECT_FLOAT_EQ(plan.items[3].param2, 1);
+  ASSERT_EQ(plan.map.loops.size(), 1U);
+  EXPECT_FALSE(plan.map.loops[0].counts_anew);
+  EXPECT_NEAR(static_cast<double>(plan.map.loops[0].round_ns) / 1e9, (500 + 500 + 500 * std::sqrt(2)) / 30, 0.5);
+}
+
+TEST(command_planner, a_rest_within_a_loop_is_led_in_by_what_was_set_and_a_jump) {
+  auto mission = looping();
+  mission.items.insert(mission.items.begin() + 1, act("slow", 178, 1, 4, -1));
+  const auto rest = build_plans(mission, in_the_air(copter), after_rounds(3, 0));
+  ASSERT_TRUE(rest.has_value()) << rest.error().message();
+  const auto& plan = rest->front();
+  ASSERT_EQ(commands_of(plan), (commands{178, 177, 16, 16, 16, 177, 20}));
+  EXPECT_EQ(plan.map.start_sequence, 1);
+  EXPECT_EQ(plan.map.enters_at, 4);
+  EXPECT_FLOAT_EQ(plan.items[2].param1, 4) << "to b";
+  EXPECT_FLOAT_EQ(plan.items[2].param2, 1);
+  EXPECT_FLOAT_EQ(plan.items[6].param1, 3) << "back to a";
+  EXPECT_FLOAT_EQ(plan.items[6].param2, 2);
+  EXPECT_TRUE(plan.map.loops[0].counts_anew);
+  EXPECT_EQ(plan.legs.front().from, at(500, 400, 30));
+  EXPECT_EQ(plan.legs.front().to, at(500, 500, 30));
+  EXPECT_EQ(plan.legs.front().times, 1);
+  const auto from_a = std::ranges::find_if(
+      plan.legs, [](const leg& each) { return each.from == at(500, 0, 30) && each.to == at(500, 500, 30); });
+  ASSERT_NE(from_a, plan.legs.end());
+  const auto to_a = std::ranges::find_if(plan.legs, [](const leg& each) { return each.to == at(500, 0, 30); });
+  ASSERT_NE(to_a, plan.legs.end());
+  EXPECT_EQ(to_a->from, at(0, 500, 30)) << "nobody flies there from where the rest begins";
+}
+
+TEST(command_planner, a_rest_within_a_loop_takes_off_before_the_loop_and_once) {
+  const auto rest = build_plans(looping(), px4, after_rounds(2, 0));
+  ASSERT_TRUE(rest.has_value()) << rest.error().message();
+  EXPECT_EQ(commands_of(rest->front()), (commands{22, 177, 16, 16, 16, 177, 20}));
+  EXPECT_EQ(rest->front().map.enters_at, 3);
+  EXPECT_EQ(rest->front().map.items.front().first_sequence, 2) << "the take-off belongs to none of them";
+}
+
+TEST(command_planner, all_rounds_taken_leave_a_jump_that_is_passed) {
+  const auto rest = build_plans(looping(), in_the_air(px4), after_rounds(2, 2));
+  ASSERT_TRUE(rest.has_value()) << rest.error().message();
+  EXPECT_FLOAT_EQ(rest->front().items[3].param2, 0);
+  EXPECT_TRUE(rest->front().map.loops.empty() || rest->front().items[3].param2 == 0);
+  auto endless = looping();
+  std::get<mission::jump>(endless.items[4]).times = -1;
+  const auto for_ever = build_plans(endless, in_the_air(px4), after_rounds(2, 7, false));
+  ASSERT_TRUE(for_ever.has_value()) << for_ever.error().message();
+  EXPECT_FLOAT_EQ(for_ever->front().items[3].param2, -1);
+}
+
+TEST(command_planner, a_rest_whose_rounds_are_not_known_is_refused_with_the_item_to_start_again_from) {
+  const std::string why =
+      "Item 'j': It leads to item 'a', and how many rounds are left is not known; start the mission "
+      "again from item 'a', or take the jump out.";
+  EXPECT_EQ(why_not(looping(), in_the_air(px4), after_rounds(2, 1, false)), why);
+  EXPECT_EQ(why_not(looping(), in_the_air(px4), after_rounds(1, 1, false)), why) << "also at the beginning of the loop";
+  EXPECT_EQ(why_not(looping(), in_the_air(px4), after_rounds(5, 1, false)), "") << "behind it nobody asks";
+  auto inner = looping();
+  inner.items.insert(inner.items.begin() + 5, mission::jump{"outer", "a", 1});
+  EXPECT_EQ(why_not(inner, in_the_air(copter), after_rounds(2, 1)), why)
+      << "an ArduPilot flies the inner loop with the count of the plan in each outer round";
+  EXPECT_EQ(why_not(inner, in_the_air(px4), after_rounds(2, 1)), "");
+  auto on = looping();
+  on.items.insert(on.items.begin() + 2, mission::jump{"on", "c", 1});
+  EXPECT_NE(why_not(on, in_the_air(px4), after_rounds(3, 1)), "") << "whether it was taken is not counted";
+}
+
+TEST(command_planner, a_jump_back_over_a_landing_is_refused) {
+  const auto mission = mission_of({up, waypoint("a", at(500, 0, 30)), mission::land{"down", at(400, 0, 0)}, up_again,
+                                   waypoint("b", at(500, 500, 30)), mission::jump{"j", "a", 2}, home_again});
+  const std::string why =
+      "Item 'j': It leads back to item 'a', over a landing; take the jump out, or put it before the "
+      "landing.";
+  EXPECT_EQ(why_not(mission, px4, {}), why);
+  EXPECT_EQ(why_not(mission, px4, {4}), why);
 }
 
 TEST(command_planner, what_came_behind_a_landing_without_a_take_off_is_kept_and_not_flown) {

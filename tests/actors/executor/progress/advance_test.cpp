@@ -379,6 +379,89 @@ TEST_P(advance_any, a_vehicle_that_is_led_back_before_the_end_of_a_round_begins_
   EXPECT_EQ(d.said(), texts{});
 }
 
+TEST_P(advance_any, each_jump_that_was_taken_is_counted_for_its_item_over_a_crash) {
+  begin_loop(d, looped(d.vehicle));
+  EXPECT_TRUE(d.s.mission->jumps.empty());
+  fly_round(d);
+  fly_round(d);
+  d.crash();
+  d.current(0);
+  d.wait_s(2);
+  d.current(0);
+  EXPECT_EQ(d.s.mission->jumps, (std::vector<taken_jump>{{.item_id = "jump", .taken = 2, .is_certain = true}}));
+}
+
+TEST_P(advance_any, who_forgets_the_count_as_it_leaves_the_loop_counts_anew) {
+  for (const bool anew : {false, true}) {
+    progress_fixture f(d.vehicle);
+    auto map = looped(f.vehicle);
+    map.loops[0].counts_anew = anew;
+    begin_loop(f, map);
+    fly_round(f);
+    fly_round(f);
+    f.current(3);
+    EXPECT_EQ(f.s.mission->jumps.at(0).taken, anew ? 0U : 1U);
+  }
+}
+
+TEST_P(advance_any, after_a_silence_as_long_as_a_round_the_count_is_not_certain) {
+  for (const int silent_s : {3, 5}) {
+    progress_fixture f(d.vehicle);
+    auto map = looped(f.vehicle);
+    map.loops[0].round_ns = 4'000'000'000;
+    f.upload(map);
+    f.current(0);
+    for (int i = 0; i < 6; ++i) {
+      f.wait_s(1);
+      f.current(0);
+    }
+    f.crash();
+    f.wait_s(silent_s);
+    f.current(1);
+    const auto& jumps = f.s.mission->jumps;
+    EXPECT_EQ(jumps.empty() || jumps.at(0).is_certain, silent_s == 3);
+  }
+}
+
+// What the loop leads back to stands before the item with which the plan begins.
+TEST_P(advance_any, a_plan_that_begins_within_a_loop_skips_nothing_and_is_seen_where_its_lead_in_leads) {
+  const auto first = d.vehicle.first_sequence;
+  const auto at = [&](int offset) { return static_cast<std::uint16_t>(first + offset); };
+  for (const bool has_lead_in : {false, true}) {
+    progress_fixture f(d.vehicle);
+    auto map = looped(f.vehicle);
+    map.items_before = 1;
+    map.start_sequence = at(1);
+    if (has_lead_in) {
+      map.start_sequence = first;
+      map.enters_at = at(3);
+      map.total = static_cast<std::uint16_t>(map.total + 2);
+      for (auto& each : map.items) {
+        each.first_sequence = static_cast<std::uint16_t>(each.first_sequence + 2);
+        for (auto* nav : {&each.first_nav_sequence, &each.last_nav_sequence})
+          if (*nav)
+            *nav = static_cast<std::uint16_t>(**nav + 2);
+      }
+      map.loops = {{at(2), at(4)}};
+    }
+    f.upload(map);
+    const int moved = has_lead_in ? 2 : 0;
+    f.wait_s(3);
+    if (has_lead_in)
+      f.current(0);
+    f.wait_s(3);
+    f.current(1 + moved);
+    f.wait_s(3);
+    f.current(1 + moved);
+    f.reached(1 + moved);
+    f.wait_s(2);
+    f.current(0 + moved);
+    f.wait_s(2);
+    f.current(0 + moved);
+    EXPECT_EQ(f.said(), (texts{"started B#1 g1", "reached B#1 g1", "started A#0 g2"})) << has_lead_in;
+  }
+}
+
 TEST_P(advance_any, a_plan_that_ends_in_a_loop_is_complete_when_the_vehicle_reports_it) {
   auto map = looped(d.vehicle, {"A", "B", "jump"});
   begin_loop(d, map);

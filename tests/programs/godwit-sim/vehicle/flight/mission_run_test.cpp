@@ -201,6 +201,41 @@ TEST(sim_mission_run, a_jump_leads_back_as_often_as_it_says) {
   EXPECT_EQ(walk(run), (std::vector{1, 0, 1, 0, 1, 3}));
 }
 
+// As recorded of both autopilots: a pause in the middle of the rounds.
+TEST(sim_mission_run, a_run_that_was_stopped_has_as_many_rounds_left_as_before) {
+  auto run = loaded({waypoint(1, 0), waypoint(2, 0), jump_to(0, 2), waypoint(3, 0)});
+  run.start(0);
+  EXPECT_EQ(walk(run, 3), (std::vector{0, 1, 0}));
+  run.stop();
+  run.start(0);
+  EXPECT_EQ(walk(run), (std::vector{0, 1, 0, 1, 3}));
+}
+
+TEST(sim_mission_run, a_replaced_plan_keeps_the_counts_of_its_jumps_until_they_are_forgotten) {
+  const std::vector plan{waypoint(1, 0), waypoint(2, 0), jump_to(0, 1), waypoint(3, 0)};
+  auto run = loaded(plan);
+  run.start(0);
+  EXPECT_EQ(walk(run, 3), (std::vector{0, 1, 0}));
+  run.replace(plan, 0, 0);
+  EXPECT_EQ(walk(run), (std::vector{0, 1, 3}));
+  run = loaded(plan);
+  run.start(0);
+  EXPECT_EQ(walk(run, 3), (std::vector{0, 1, 0}));
+  run.replace(plan, 0, 0);
+  run.forget_jumps();
+  EXPECT_EQ(walk(run), (std::vector{0, 1, 0, 1, 3}));
+}
+
+TEST(sim_mission_run, an_inner_loop_counts_anew_in_each_outer_round_where_the_vehicle_does) {
+  for (const bool anew : {false, true}) {
+    auto run = loaded({waypoint(1, 0), jump_to(0, 1), waypoint(2, 0), jump_to(0, 1), waypoint(3, 0)});
+    if (anew)
+      run.count_left_loops_anew();
+    run.start(0);
+    EXPECT_EQ(walk(run), anew ? (std::vector{0, 0, 2, 0, 0, 2, 4}) : (std::vector{0, 0, 2, 0, 2, 4}));
+  }
+}
+
 TEST(sim_mission_run, a_jump_without_end_goes_on_as_long_as_something_is_flown) {
   auto run = loaded({waypoint(1, 0), jump_to(0, -1)});
   run.start(0);

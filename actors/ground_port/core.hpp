@@ -235,15 +235,17 @@ private:
     std::uint8_t target_component = 0;
     std::uint8_t mission_type = 0;
     bool clears = false;
+    bool is_part = false;
   };
   [[nodiscard]] bool is_refused(decision_context& t, const station& from, const plan_wish& what);
+  [[nodiscard]] std::string why_no_part(mavlink::sender who, std::uint8_t mission_type) const;
   // A download changes nothing.
   template <class M>
   [[nodiscard]] bool is_refused(decision_context& t, const station& from, const M& m) {
     constexpr bool clears = M::message_id == mavlink::mission_clear_all::message_id;
-    if constexpr (clears || M::message_id == mavlink::mission_count::message_id ||
-                  M::message_id == mavlink::mission_write_partial_list::message_id)
-      return is_refused(t, from, plan_wish{m.target_system, m.target_component, m.mission_type, clears});
+    constexpr bool is_part = M::message_id == mavlink::mission_write_partial_list::message_id;
+    if constexpr (clears || is_part || M::message_id == mavlink::mission_count::message_id)
+      return is_refused(t, from, plan_wish{m.target_system, m.target_component, m.mission_type, clears, is_part});
     else
       return false;
   }

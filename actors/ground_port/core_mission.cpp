@@ -53,6 +53,7 @@ void core::make_server() {
   auto autopilot_quirks = mission_server::plain_quirks();
   autopilot_quirks.capacity = settings_.max_items;
   autopilot_quirks.listens = mission_server::hears::component_0_too;
+  autopilot_quirks.when_partial = mission_server::partial_list::taken;
   server_.emplace(autopilot_quirks, ourselves());
 }
 

@@ -53,15 +53,25 @@ bool core::is_refused(decision_context& t, const station& from, const plan_wish&
     return false;
   const std::string name = what.clears ? "Clear" : "Upload";
   const auto objection = object_to(t, from.who, name);
-  if (!objection)
+  const auto why = objection ? objection->why : what.is_part ? why_no_part(from.who, what.mission_type) : std::string();
+  if (why.empty())
     return false;
   ++counts_.plans_refused;
   t.send(from.who, mavlink::mission_ack{.target_system = from.who.system,
                                         .target_component = from.who.component,
                                         .type = mavlink::number(mavlink::mav_mission_result::denied),
                                         .mission_type = what.mission_type});
-  t.say(mavlink::mav_severity::warning, name + ": " + objection->why);
+  t.say(mavlink::mav_severity::warning, name + ": " + why);
   return true;
+}
+
+// Who knows another plan than this one would change an item that its people have not seen.
+std::string core::why_no_part(mavlink::sender who, std::uint8_t mission_type) const {
+  using mavlink::mav_mission_type;
+  if (mission_type != mavlink::number(mav_mission_type::mission))
+    return "only missions are changed in part";
+  return views_.shows(who, server_->plan(mav_mission_type::mission).id) ? ""
+                                                                        : "download the plan first, it has changed";
 }
 
 } // namespace godwit::ground_port

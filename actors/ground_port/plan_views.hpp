@@ -5,6 +5,7 @@
 // the bound the one that was noted longest ago is forgotten. Thread: one at a time.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -25,6 +26,11 @@ public:
       if (each.by == executor::station{who.system, who.component})
         return each.plan_id != plan_id;
     return false;
+  }
+  [[nodiscard]] bool shows(io::mavlink::sender who, std::uint32_t plan_id) const {
+    return std::ranges::any_of(views_, [&](const plan_view& each) {
+      return each.by == executor::station{who.system, who.component} && each.plan_id == plan_id;
+    });
   }
   // For people the two are one: of a vehicle that keeps its home as item 0 that alone has moved.
   void replace(std::uint32_t before, std::uint32_t after) {

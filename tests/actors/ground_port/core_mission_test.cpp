@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "io/mavlink/messages/mission_write_partial_list.hpp"
 #include "tests/actors/ground_port/port_fixture.hpp"
 #include "tests/actors/ground_port/results.hpp"
 
@@ -44,6 +45,48 @@ TEST(ground_port_core, an_uploaded_mission_is_acknowledged_with_its_id_and_becom
   EXPECT_EQ(port.taken[0].plan_id, ack.opaque_id);
   EXPECT_EQ(port.taken[0].items.size(), 3U);
   EXPECT_EQ(port.taken[0].by, (executor::station{255, 190}));
+}
+
+// As MAVProxy changes an item: `wp changealt`.
+mavlink::mission_ack change_item(port_fixture& port, const mavlink::mission_item_int& item, int type = 0,
+                                 mavlink::sender from = station_id) {
+  mavlink::mission_write_partial_list part;
+  part.start_index = part.end_index = static_cast<std::int16_t>(item.seq);
+  part.mission_type = static_cast<std::uint8_t>(type);
+  port.say(part, from);
+  if (!port.sent<mavlink::mission_request_int>().empty() && port.last<mavlink::mission_request_int>().seq == item.seq)
+    port.say(item, from);
+  return port.last<mavlink::mission_ack>();
+}
+
+TEST(ground_port_core, an_item_that_a_station_changes_makes_a_whole_new_mission_of_the_executor) {
+  port_fixture port;
+  const auto first = port.upload(3);
+  auto higher = waypoint(1);
+  higher.z = 80;
+  port.forget();
+  const auto ack = change_item(port, higher);
+  EXPECT_EQ(ack.type, ack_accepted);
+  ASSERT_EQ(port.taken.size(), 2U);
+  EXPECT_NE(port.taken[1].plan_id, first.opaque_id);
+  ASSERT_EQ(port.taken[1].items.size(), 3U);
+  EXPECT_EQ(port.taken[1].items[1].z, 80);
+  EXPECT_EQ(port.taken[1].items[2].z, 50);
+}
+
+TEST(ground_port_core, a_station_that_shows_another_mission_changes_no_item_of_it) {
+  port_fixture port;
+  (void)port.upload(3);
+  port.forget();
+  EXPECT_EQ(change_item(port, waypoint(1), 0, {254, 190}).type, ack_denied) << "it has never seen it";
+  EXPECT_TRUE(port.said("Upload: download the plan first, it has changed"));
+  port.executor_says(set_mission{waypoints(5)});
+  port.forget();
+  EXPECT_EQ(change_item(port, waypoint(1)).type, ack_denied) << "a go-to has changed it";
+  (void)port.download();
+  port.forget();
+  EXPECT_EQ(change_item(port, waypoint(1), 1).type, ack_denied) << "a fence is not changed in part";
+  EXPECT_EQ(port.taken.size(), 1U);
 }
 
 TEST(ground_port_core, fences_and_rally_points_are_taken_too) {

@@ -30,6 +30,7 @@ page_desks add_page_desks(runtime::system& actors, const daemon_settings& settin
       {.name = "mission_desk", .policy = runtime::on_crash::lose}, replaceable,
       operator_port::mission_peers{flight.bridge, flight.executor, flight.executor}, answers,
       why_no_missions(settings));
+  made.allowed_commands = settings.allowed_commands;
   return made;
 }
 
@@ -46,7 +47,7 @@ operator_port::route_list page_desk_routes(runtime::system& actors, const page_d
   const auto upload = [way_of_worker, desk = desks.missions](operator_port::mission_upload asked) {
     way_of_worker->tell(desk, std::move(asked));
   };
-  for (auto& each : operator_port::mission_routes(answers, upload, run))
+  for (auto& each : operator_port::mission_routes(answers, upload, run, desks.allowed_commands))
     result.push_back(std::move(each));
   return result;
 }

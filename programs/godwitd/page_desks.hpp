@@ -18,6 +18,7 @@ namespace godwit::daemon {
 struct page_desks {
   operator_port::view_inlet views;
   operator_port::mission_inlet missions;
+  mission::allowed_commands allowed_commands; // that an uploaded mission may hold
 };
 
 using answers_ptr = std::shared_ptr<operator_port::waiting_answers>;

@@ -48,13 +48,16 @@ std::string fresh_id() {
   return ids::text_of({(bits() & ~std::uint64_t{0xf000}) | version, (bits() & ~(std::uint64_t{3} << 62U)) | variant});
 }
 
-tl::expected<checked_mission, server_response> read_mission(const server_request& asked) {
+tl::expected<checked_mission, server_response> read_mission(const server_request& asked,
+                                                            const mission::allowed_commands& allowed) {
   if (!asked.find("Content-Type").starts_with("application/octet-stream"))
     return refused(problem(415, "the body is the file, as application/octet-stream"));
   const auto format = io::value_of<mission::mission_format>(of_query(asked.target, "format"));
   if (!format)
     return refused(problem(400, "a format is missing: json, plan, waypoints or geojson", "format"));
-  auto read = mission::import_mission(asked.body, *format, {of_query(asked.target, "partial") == "yes", fresh_id()});
+  auto read = mission::import_mission(
+      asked.body, *format,
+      {.allow_partial = of_query(asked.target, "partial") == "yes", .mission_id = fresh_id(), .allowed = allowed});
   if (read)
     return checked_mission{std::move(read->mission), std::move(read->losses.all)};
   const bool is_lossy = read.error().error.code == mission::document_errc::lossy;
@@ -79,13 +82,14 @@ auto in_background(const run_in_background& run, std::function<void(const server
 } // namespace
 
 route_list mission_routes(const std::shared_ptr<waiting_answers>& answers,
-                          const std::function<void(mission_upload asked)>& tell, const run_in_background& run) {
-  const auto check = [](const server_request& asked, responder answer) {
-    const auto read = read_mission(asked);
+                          const std::function<void(mission_upload asked)>& tell, const run_in_background& run,
+                          const mission::allowed_commands& allowed) {
+  const auto check = [allowed](const server_request& asked, responder answer) {
+    const auto read = read_mission(asked, allowed);
     answer.send(read ? server_response{.body = io::to_json(*read)} : read.error());
   };
-  const auto upload = [answers, tell](const server_request& asked, responder answer) {
-    auto read = read_mission(asked);
+  const auto upload = [answers, tell, allowed](const server_request& asked, responder answer) {
+    auto read = read_mission(asked, allowed);
     if (!read)
       return answer.send(read.error());
     const auto token = token_of(asked);

@@ -4,13 +4,15 @@
 //   check: {"mission": ..., "losses": [{"item", "what", "why", "instead", "line"}]}, or 422 with all that is wrong
 //   else: the same, and then it goes to mission_desk, which says whether it is taken
 //
-// The file is read by RUN, beside the thread of the port; where too many wait, the answer is 503. Errors: problem
-// documents. Thread: the handlers in that of the port, TELL in that of RUN.
+// It may hold the commands that are ALLOWED as well. The file is read by RUN, beside the thread of the port; where too
+// many wait, the answer is 503. Errors: problem documents. Thread: the handlers in that of the port, TELL in that of
+// RUN.
 #pragma once
 
 #include <functional>
 #include <memory>
 
+#include "actors/domain/mission/commands/command_policy.hpp"
 #include "programs/godwitd/operator_port/background_worker.hpp"
 #include "programs/godwitd/operator_port/mission_desk.hpp"
 #include "programs/godwitd/operator_port/route.hpp"
@@ -21,6 +23,6 @@ inline constexpr std::size_t max_mission_file = 1024 * 1024; // bytes: some thou
 
 [[nodiscard]] route_list mission_routes(const std::shared_ptr<waiting_answers>& answers,
                                         const std::function<void(mission_upload asked)>& tell,
-                                        const run_in_background& run);
+                                        const run_in_background& run, const mission::allowed_commands& allowed = {});
 
 } // namespace godwit::operator_port

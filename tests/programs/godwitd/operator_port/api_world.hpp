@@ -165,6 +165,8 @@ struct http_answer {
   nlohmann::json body;
 };
 
+inline constexpr std::uint16_t allowed_command = 208; // DO_PARACHUTE, by flight.allowed_commands
+
 class api_world {
 public:
   using headers = std::vector<std::pair<std::string, std::string>>;
@@ -206,7 +208,8 @@ public:
     std::ranges::move(
         mission_routes(
             answers, [this, uploads](mission_upload asked) { world.tell(uploads, std::move(asked)); },
-            [this](const std::string&, const std::function<void()>& work) { return run_in_background(work); }),
+            [this](const std::string&, const std::function<void()>& work) { return run_in_background(work); },
+            {allowed_command}),
         std::back_inserter(list));
     list.push_back({"GET", "/look", 0, [](const server_request&, responder answer) { answer.send({.body = "{}"}); }});
     routes = std::make_unique<router>(std::move(list), std::vector<std::string>{}, false);

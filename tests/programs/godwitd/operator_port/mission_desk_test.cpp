@@ -54,6 +54,22 @@ TEST_F(mission_upload_of, what_is_wrong_with_a_file_is_said_with_its_place) {
   EXPECT_EQ(world.ask("POST", check, {{"a", 1}}).status, 415U);
 }
 
+TEST_F(mission_upload_of, a_guarded_command_is_taken_where_the_settings_allow_it) {
+  const auto with = [](int command) {
+    const auto line = [](int seq, int number, double latitude) {
+      return std::to_string(seq) + "\t0\t3\t" + std::to_string(number) + "\t2\t0\t0\t0\t" + std::to_string(latitude) +
+             "\t8.5\t30\t1\n";
+    };
+    return "QGC WPL 110\n" + line(0, 16, 47) + line(1, 22, 47) + line(2, command, 0) + line(3, 16, 47.001);
+  };
+  const std::string target = "/api/v1/missions/check?format=waypoints";
+  EXPECT_EQ(send(target, with(tests::allowed_command)).status, 200U);
+  const auto other = send(target, with(207));
+  EXPECT_EQ(other.status, 422U);
+  EXPECT_NE(other.body.at("detail").get<std::string>().find("flight.allowed_commands"), std::string::npos)
+      << other.body;
+}
+
 TEST_F(mission_upload_of, a_file_that_waits_to_be_read_keeps_no_other_request_waiting) {
   std::function<void()> waiting;
   world.run_in_background = [&](const std::function<void()>& work) {

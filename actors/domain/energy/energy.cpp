@@ -29,10 +29,10 @@ pace pace_of(flight::vehicle_class what) {
 }
 
 std::optional<double> seconds_for(const way& what, const pace& how_fast) {
-  if (!is_sound(what.horizontal_m) || !is_sound(what.climb_m) || !is_sound(what.descent_m))
+  if (!is_sound(what.horizontal_m) || !is_sound(what.climb_m) || !is_sound(what.descent_m) || !is_sound(what.wait_s))
     return std::nullopt;
   const auto result = what.horizontal_m / how_fast.cruise_mps + what.climb_m / how_fast.climb_mps +
-                      what.descent_m / how_fast.descent_mps + (what.is_landing ? how_fast.landing_s : 0);
+                      what.descent_m / how_fast.descent_mps + what.wait_s + (what.is_landing ? how_fast.landing_s : 0);
   return is_sound(result) ? std::optional(result) : std::nullopt;
 }
 

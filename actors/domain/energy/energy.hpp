@@ -23,6 +23,7 @@ struct way {
   double climb_m = 0;
   double descent_m = 0;
   bool is_landing = false; // at its end
+  double wait_s = 0;       // at places on the way
 };
 
 struct pace {

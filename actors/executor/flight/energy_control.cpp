@@ -24,6 +24,7 @@ energy::way way_of(const plan::flight_plan& plan) {
     result.descent_m += each.times * std::max(0.0, each.from.altitude_m - each.to.altitude_m);
   }
   result.is_landing = plan.ends_on_ground;
+  result.wait_s = plan.waits_s;
   return result;
 }
 

@@ -52,6 +52,7 @@ struct flight_plan {
   std::optional<std::uint16_t> landing_sequence; // of DO_LAND_START
   std::vector<planned_survey> surveys;
   std::vector<leg> legs;
+  double waits_s = 0; // that it waits at its places, in all rounds; of endless waits none counts
   mission::position ends_at;
   bool ends_on_ground = false;    // nothing more is flown without a take-off
   std::vector<std::string> notes; // what people should know of it, a sentence each

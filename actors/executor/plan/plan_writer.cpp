@@ -218,26 +218,32 @@ void plan_writer::take_over(const progress::plan_map& idle) {
   }
 }
 
-// The legs from the target of a jump up to it are flown once more each time, and its own as often as it is taken; those
-// before the item with which the plan begins, once less. Loops within loops multiply, which is more than vehicles fly
-// that count each jump once.
-void plan_writer::count_rounds(flight_plan& plan) const {
+// What belongs to ITEM_INDEX, from the target of a jump up to it, is flown once more each time, and the jump itself as
+// often as it is taken; what stands before the item with which the plan begins, once less. Loops within loops multiply,
+// which is more than vehicles fly that count each jump once.
+double plan_writer::rounds_of(const flight_plan& plan, std::uint32_t item_index) const {
   constexpr double most = 1e6;
-  const auto begins_at =
-      plan.map.items_before < plan.map.items.size() ? plan.map.items[plan.map.items_before].item_index : 0;
-  const auto legs = std::span(plan.legs).subspan(entry_ ? entry_->legs_before : 0);
+  const bool is_before =
+      plan.map.items_before > 0 && item_index < plan.map.items.at(plan.map.items_before).item_index;
+  double rounds = 1;
   for (const auto& jump : jumps_) {
     const auto target = std::ranges::find(plan.map.items, jump.to, &progress::mapped_item::item_id);
-    if (target->item_index > jump.item_index)
+    if (item_index < target->item_index || item_index > jump.item_index)
       continue;
     const double taken = std::max(jump.times, 0.0);
-    for (auto& leg : legs) {
-      const bool is_jump = leg.item_index == jump.item_index;
-      const double rounds = is_jump ? std::max(taken, 1.0) : leg.item_index < begins_at ? taken : taken + 1;
-      if (leg.item_index >= target->item_index && leg.item_index <= jump.item_index)
-        leg.times = std::min(most, leg.times * rounds);
-    }
+    rounds *= item_index == jump.item_index ? std::max(taken, 1.0) : is_before ? taken : taken + 1;
   }
+  return std::min(most, rounds);
+}
+
+void plan_writer::count_rounds(flight_plan& plan) const {
+  for (auto& leg : std::span(plan.legs).subspan(entry_ ? entry_->legs_before : 0))
+    leg.times = rounds_of(plan, leg.item_index);
+  for (const auto& owner : plan.map.items)
+    if (owner.role != progress::item_role::unflown)
+      for (int i = 0; i < owner.sequence_count; ++i)
+        plan.waits_s += rounds_of(plan, owner.item_index) *
+                        wait_of(plan.items.at(static_cast<std::size_t>(owner.first_sequence + i)), setting_);
 }
 
 // Back over JUMP, which leads to TARGET.

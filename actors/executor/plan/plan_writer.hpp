@@ -108,6 +108,7 @@ private:
     std::size_t legs_before = 0;
   };
   void lead_in(flight_plan& plan) const;
+  [[nodiscard]] double rounds_of(const flight_plan& plan, std::uint32_t item_index) const;
   void count_rounds(flight_plan& plan) const;
   [[nodiscard]] progress::plan_loop loop_of(const flight_plan& plan, const planned_jump& jump,
                                             const progress::mapped_item& target) const;

@@ -159,6 +159,23 @@ mission_item_int jump_item(std::int32_t times) {
   return bare_item(mav_cmd::do_jump, {0, static_cast<double>(times), 0, 0});
 }
 
+// A plane flies past a waypoint and does not wait for NAV_DELAY; an ArduPilot flies on while a CONDITION_DELAY runs.
+double wait_of(const mission_item_int& item, const plan_setting& setting) {
+  const bool is_plane = setting.vehicle == vehicle_class::fixed_wing;
+  const double seconds = std::isfinite(item.param1) ? std::max(0.0F, item.param1) : 0;
+  switch (static_cast<mav_cmd>(item.command)) {
+  case mav_cmd::nav_loiter_time:
+    return seconds;
+  case mav_cmd::nav_waypoint:
+  case mav_cmd::nav_delay:
+    return is_plane ? 0 : seconds;
+  case mav_cmd::condition_delay:
+    return is_ardupilot(setting) ? 0 : seconds;
+  default:
+    return 0;
+  }
+}
+
 bool is_nav(const mission_item_int& item) {
   const bool is_beyond = item.command == number(mav_cmd::nav_set_yaw_speed) || item.command == 42'702 ||
                          item.command == 42'703; // NAV_SCRIPT_TIME, NAV_ATTITUDE_TIME

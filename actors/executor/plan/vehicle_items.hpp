@@ -49,6 +49,8 @@ using io::mavlink::mission_item_int;
 [[nodiscard]] mission_item_int jump_item(std::int32_t times);
 
 // It moves the vehicle, or holds it in its place for a time.
+// So many seconds the vehicle stays for it, as far as it says so.
+[[nodiscard]] double wait_of(const mission_item_int& item, const plan_setting& setting);
 [[nodiscard]] bool is_nav(const mission_item_int& item);
 
 // Vehicles take latitude and longitude 0 for "here".

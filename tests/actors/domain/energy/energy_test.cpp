@@ -148,10 +148,11 @@ TEST(energy, cruise_climb_descent_and_landing_take_their_times_together) {
   const pace how_fast{.cruise_mps = 12, .climb_mps = 2, .descent_mps = 4, .landing_s = 60};
   EXPECT_EQ(seconds_for({120, 30, 20, false}, how_fast), 10 + 15 + 5);
   EXPECT_EQ(seconds_for({120, 30, 20, true}, how_fast), 10 + 15 + 5 + 60);
+  EXPECT_EQ(seconds_for({120, 30, 20, true, 9}, how_fast), 10 + 15 + 5 + 60 + 9);
 }
 
 TEST(energy, a_way_of_which_a_part_is_not_known_takes_no_time_that_is_known) {
-  for (auto part : {&way::horizontal_m, &way::climb_m, &way::descent_m})
+  for (auto part : {&way::horizontal_m, &way::climb_m, &way::descent_m, &way::wait_s})
     for (const auto wrong : {-1.0, std::numeric_limits<double>::quiet_NaN()}) {
       way what{1, 1, 1, false};
       what.*part = wrong;

@@ -207,6 +207,20 @@ TEST(command_planner, a_rest_within_a_loop_takes_off_before_the_loop_and_once) {
   EXPECT_EQ(rest->front().map.items.front().first_sequence, 2) << "the take-off belongs to none of them";
 }
 
+TEST(command_planner, what_is_waited_at_places_counts_in_each_round_as_this_vehicle_waits) {
+  auto mission = looping();
+  std::get<mission::waypoint>(mission.items[1]).hold_s = 5;
+  mission.items.insert(mission.items.begin() + 2, act("delay", 93, 7));
+  mission.items.insert(mission.items.begin() + 3, act("condition", 112, 11));
+  mission.items.insert(mission.items.end() - 1, act("last", 93, 2));
+  EXPECT_EQ(build_plans(mission, px4)->front().waits_s, 3 * (5 + 7 + 11) + 2);
+  EXPECT_EQ(build_plans(mission, copter)->front().waits_s, 3 * (5 + 7) + 2);
+  auto rest = after_rounds(4, 1); // at b: a and the waits behind it once more
+  EXPECT_EQ(build_plans(mission, in_the_air(px4), rest)->front().waits_s, (5 + 7 + 11) + 2);
+  mission.items[2] = act("delay", 93, -1);
+  EXPECT_EQ(build_plans(mission, px4)->front().waits_s, 3 * (5 + 11) + 2) << "until a time of day";
+}
+
 TEST(command_planner, all_rounds_taken_leave_a_jump_that_is_passed) {
   const auto rest = build_plans(looping(), in_the_air(px4), after_rounds(2, 2));
   ASSERT_TRUE(rest.has_value()) << rest.error().message();

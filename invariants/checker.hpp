@@ -17,10 +17,7 @@ namespace godwit::invariants {
 
 enum class verdict { held, violated, undecided };
 
-constexpr auto enum_names(verdict) {
-  return io::names<verdict>(
-      {{verdict::held, "held"}, {verdict::violated, "violated"}, {verdict::undecided, "undecided"}});
-}
+GODWIT_ENUM_NAMES(verdict, held, violated, undecided);
 
 struct judged {
   const rule* which = nullptr;

@@ -19,24 +19,18 @@ enum class ask_errc {
   given_up,        // the request crashed its handler max_crashes times and is in the dead-letter table
 };
 
-constexpr auto enum_names(ask_errc) {
-  return io::names<ask_errc>({{ask_errc::timeout, "timeout"},
-                              {ask_errc::not_taken, "not_taken"},
-                              {ask_errc::outcome_unknown, "outcome_unknown"},
-                              {ask_errc::given_up, "given_up"}});
-}
+GODWIT_ENUM_NAMES(ask_errc, timeout, not_taken, outcome_unknown, given_up);
 
 struct ask_error {
   ask_errc code = ask_errc::timeout;
   std::string what;
-  static constexpr auto fields =
-      io::table("runtime.ask_error", io::field("code", &ask_error::code), io::field("what", &ask_error::what));
+  GODWIT_FIELDS(ask_error, "runtime.ask_error", code, what);
 };
 
 // How a failed ask appears in the trace.
 struct ask_failed {
   ask_error why;
-  static constexpr auto fields = io::table("runtime.ask_failed", io::field("why", &ask_failed::why));
+  GODWIT_FIELDS(ask_failed, "runtime.ask_failed", why);
 };
 
 [[nodiscard]] ask_error describe(const caf::error& why);

@@ -33,25 +33,10 @@ enum class planted_bug {
   let_stale_order_out          // an order goes out however long it has waited
 };
 
-constexpr auto enum_names(planted_bug) {
-  return io::names<planted_bug>({{planted_bug::none, "none"},
-                                 {planted_bug::forget_gate, "forget_gate"},
-                                 {planted_bug::swap_cut_over, "swap_cut_over"},
-                                 {planted_bug::reuse_idempotency_key, "reuse_idempotency_key"},
-                                 {planted_bug::restart_twice, "restart_twice"},
-                                 {planted_bug::drop_redelivery, "drop_redelivery"},
-                                 {planted_bug::old_plans_progress, "old_plans_progress"},
-                                 {planted_bug::act_after_takeover, "act_after_takeover"},
-                                 {planted_bug::skip_look, "skip_look"},
-                                 {planted_bug::clear_while_armed, "clear_while_armed"},
-                                 {planted_bug::forget_fence_revision, "forget_fence_revision"},
-                                 {planted_bug::lose_outbox_row, "lose_outbox_row"},
-                                 {planted_bug::report_before_commit, "report_before_commit"},
-                                 {planted_bug::repeat_start_over_person, "repeat_start_over_person"},
-                                 {planted_bug::believe_late_frame, "believe_late_frame"},
-                                 {planted_bug::complete_on_foreign_landing, "complete_on_foreign_landing"},
-                                 {planted_bug::let_stale_order_out, "let_stale_order_out"}});
-}
+GODWIT_ENUM_NAMES(planted_bug, none, forget_gate, swap_cut_over, reuse_idempotency_key, restart_twice, drop_redelivery,
+                  old_plans_progress, act_after_takeover, skip_look, clear_while_armed, forget_fence_revision,
+                  lose_outbox_row, report_before_commit, repeat_start_over_person, believe_late_frame,
+                  complete_on_foreign_landing, let_stale_order_out);
 
 #ifdef GODWIT_PLANTED_BUGS
 [[nodiscard]] inline planted_bug bug_of_process() {

@@ -16,10 +16,7 @@ struct command_vehicle {
   action what = action::return_home;
   std::uint8_t confirmation = 0; // 0 at the first try, one more at each further one
 
-  static constexpr auto fields =
-      io::table("failsafe.command_vehicle", io::field("number", &command_vehicle::number),
-                io::field("why", &command_vehicle::why), io::field("what", &command_vehicle::what),
-                io::field("confirmation", &command_vehicle::confirmation));
+  GODWIT_FIELDS(command_vehicle, "failsafe.command_vehicle", number, why, what, confirmation);
   friend bool operator==(const command_vehicle&, const command_vehicle&) = default;
 };
 

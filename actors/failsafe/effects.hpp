@@ -35,8 +35,7 @@ struct warning {
   io::mavlink::mav_severity severity = io::mavlink::mav_severity::warning;
   std::string text;
 
-  static constexpr auto fields =
-      io::table("failsafe.warning", io::field("severity", &warning::severity), io::field("text", &warning::text));
+  GODWIT_FIELDS(warning, "failsafe.warning", severity, text);
 };
 
 // To the journal, in the same turn and not awaited. Comes last, and with each command.

@@ -21,17 +21,13 @@ namespace godwit::failsafe {
 
 enum class latch_kind { acted, covered, left_to_pilot };
 
-constexpr auto enum_names(latch_kind) {
-  return io::names<latch_kind>(
-      {{latch_kind::acted, "acted"}, {latch_kind::covered, "covered"}, {latch_kind::left_to_pilot, "left_to_pilot"}});
-}
+GODWIT_ENUM_NAMES(latch_kind, acted, covered, left_to_pilot);
 
 struct latch {
   rule of = rule::operator_link;
   latch_kind how = latch_kind::acted;
 
-  static constexpr auto fields =
-      io::table("failsafe.latch", io::field("of", &latch::of), io::field("how", &latch::how));
+  GODWIT_FIELDS(latch, "failsafe.latch", of, how);
   friend bool operator==(const latch&, const latch&) = default;
 };
 

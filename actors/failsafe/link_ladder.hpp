@@ -34,10 +34,7 @@ struct link_memory {
   bool following = false;
   bool silence_is_known = false; // to the person who has handed the vehicle back in it
 
-  static constexpr auto fields = io::table("failsafe.link_memory", io::field("seen", &link_memory::seen),
-                                           io::field("silent_since_ns", &link_memory::silent_since_ns),
-                                           io::field("following", &link_memory::following),
-                                           io::field("silence_is_known", &link_memory::silence_is_known));
+  GODWIT_FIELDS(link_memory, "failsafe.link_memory", seen, silent_since_ns, following, silence_is_known);
   friend bool operator==(const link_memory&, const link_memory&) = default;
 };
 

@@ -24,13 +24,7 @@ namespace godwit::failsafe {
 
 enum class reaction_phase { to_send, in_flight, unsure, accepted, done };
 
-constexpr auto enum_names(reaction_phase) {
-  return io::names<reaction_phase>({{reaction_phase::to_send, "to_send"},
-                                    {reaction_phase::in_flight, "in_flight"},
-                                    {reaction_phase::unsure, "unsure"},
-                                    {reaction_phase::accepted, "accepted"},
-                                    {reaction_phase::done, "done"}});
-}
+GODWIT_ENUM_NAMES(reaction_phase, to_send, in_flight, unsure, accepted, done);
 
 struct reaction {
   rule why = rule::operator_link; // the highest that wants it
@@ -38,9 +32,7 @@ struct reaction {
   reaction_phase phase = reaction_phase::to_send;
   std::uint32_t tries = 0; // how often it went out
 
-  static constexpr auto fields =
-      io::table("failsafe.reaction", io::field("why", &reaction::why), io::field("what", &reaction::what),
-                io::field("phase", &reaction::phase), io::field("tries", &reaction::tries));
+  GODWIT_FIELDS(reaction, "failsafe.reaction", why, what, phase, tries);
   friend bool operator==(const reaction&, const reaction&) = default;
 };
 

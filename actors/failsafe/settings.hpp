@@ -16,11 +16,7 @@ enum class operator_link_policy {
   required   // somebody has to be there from the start
 };
 
-constexpr auto enum_names(operator_link_policy) {
-  return io::names<operator_link_policy>({{operator_link_policy::off, "off"},
-                                          {operator_link_policy::once_seen, "once_seen"},
-                                          {operator_link_policy::required, "required"}});
-}
+GODWIT_ENUM_NAMES(operator_link_policy, off, once_seen, required);
 
 struct settings {
   operator_link_policy operator_link = operator_link_policy::once_seen;
@@ -32,13 +28,8 @@ struct settings {
   std::int64_t following_extra_ms = 30'000;   // more of it while an object is followed
   double moving_mps = 0.2;                    // a rover that is faster moves; a standing one drifts by less than this
 
-  static constexpr auto fields = io::table(
-      "failsafe.settings", io::field("operator_link", &settings::operator_link),
-      io::field("failsafe_in_manual", &settings::failsafe_in_manual),
-      io::field("battery_critical_percent", &settings::battery_critical_percent),
-      io::field("battery_low_percent", &settings::battery_low_percent),
-      io::field("link_degraded_ms", &settings::link_degraded_ms), io::field("link_lost_ms", &settings::link_lost_ms),
-      io::field("following_extra_ms", &settings::following_extra_ms), io::field("moving_mps", &settings::moving_mps));
+  GODWIT_FIELDS(settings, "failsafe.settings", operator_link, failsafe_in_manual, battery_critical_percent,
+                battery_low_percent, link_degraded_ms, link_lost_ms, following_extra_ms, moving_mps);
   friend bool operator==(const settings&, const settings&) = default;
 };
 

@@ -27,9 +27,7 @@ struct plan_return {
   rule why = rule::operator_link; // the highest that wants it
   bool is_taken = false;
 
-  static constexpr auto fields =
-      io::table("failsafe.plan_return", io::field("number", &plan_return::number), io::field("why", &plan_return::why),
-                io::field("is_taken", &plan_return::is_taken));
+  GODWIT_FIELDS(plan_return, "failsafe.plan_return", number, why, is_taken);
   friend bool operator==(const plan_return&, const plan_return&) = default;
 };
 
@@ -46,12 +44,8 @@ struct standing {
   std::optional<flight::home_place> armed_at = {}; // as it told it first since it was armed
   std::optional<plan_return> by_plan = {};
 
-  static constexpr auto fields = io::table(
-      "failsafe.standing", io::field("in_flight", &standing::in_flight), io::field("latches", &standing::latches),
-      io::field("reacts", &standing::reacts), io::field("last_number", &standing::last_number),
-      io::field("overridden", &standing::overridden), io::field("pilot", &standing::pilot),
-      io::field("link", &standing::link), io::field("home", &standing::home),
-      io::field("armed_at", &standing::armed_at), io::field("by_plan", &standing::by_plan));
+  GODWIT_FIELDS(standing, "failsafe.standing", in_flight, latches, reacts, last_number, overridden, pilot, link, home,
+                armed_at, by_plan);
   friend bool operator==(const standing&, const standing&) = default;
 };
 
@@ -61,17 +55,14 @@ struct remembered {
   std::optional<guard_mission> limits = {};
   std::optional<command_vehicle> command = {}; // only read: earlier versions sent it from here
 
-  static constexpr auto fields =
-      io::table("failsafe.remembered", io::field("now", &remembered::now), io::field("limits", &remembered::limits),
-                io::field("command", &remembered::command));
+  GODWIT_FIELDS(remembered, "failsafe.remembered", now, limits, command);
 };
 
 struct state {
   standing now;
   guard_mission limits;
   static constexpr int version = 1;
-  static constexpr auto fields =
-      io::table("failsafe.state", io::field("now", &state::now), io::field("limits", &state::limits));
+  GODWIT_FIELDS(state, "failsafe.state", now, limits);
 };
 
 // The durable part: what the core hands over takes the place of what was. Nothing comes of it: a command has gone out

@@ -37,9 +37,7 @@ struct expected_mode {
   std::optional<std::int64_t> until_ns; // wall clock
   std::optional<std::uint32_t> custom_mode;
 
-  static constexpr auto fields =
-      io::table("failsafe.expected_mode", io::field("kind", &expected_mode::kind),
-                io::field("until_ns", &expected_mode::until_ns), io::field("custom_mode", &expected_mode::custom_mode));
+  GODWIT_FIELDS(expected_mode, "failsafe.expected_mode", kind, until_ns, custom_mode);
   friend bool operator==(const expected_mode&, const expected_mode&) = default;
 };
 
@@ -48,9 +46,7 @@ struct pilot_memory {
   bool taken_over = false;
   std::vector<expected_mode> expected; // in the order in which they may come
 
-  static constexpr auto fields =
-      io::table("failsafe.pilot_memory", io::field("ours", &pilot_memory::ours),
-                io::field("taken_over", &pilot_memory::taken_over), io::field("expected", &pilot_memory::expected));
+  GODWIT_FIELDS(pilot_memory, "failsafe.pilot_memory", ours, taken_over, expected);
   friend bool operator==(const pilot_memory&, const pilot_memory&) = default;
 };
 

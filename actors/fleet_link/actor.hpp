@@ -38,7 +38,7 @@ struct peers {
 // A text of the hub, which comes by no mailbox.
 struct live_text {
   std::string text;
-  static constexpr auto fields = io::table("fleet_link.live_text", io::field("text", &live_text::text));
+  GODWIT_FIELDS(live_text, "fleet_link.live_text", text);
 };
 
 class actor final : public runtime::durable_actor<own_handle, durable_core> {

@@ -17,9 +17,7 @@ struct status_form {
   std::string state; // online, offline
   std::string session;
   std::int64_t at_ms = 0; // of an offline: when the connection was made that is lost
-  static constexpr auto fields =
-      io::table("fleet_link.status", io::field("state", &status_form::state),
-                io::field("session", &status_form::session), io::field("at_ms", &status_form::at_ms));
+  GODWIT_FIELDS(status_form, "fleet_link.status", state, session, at_ms);
 };
 
 std::shared_ptr<const std::string> shared(std::string text) {

@@ -11,7 +11,7 @@ namespace {
 
 struct began {
   std::string process;
-  static constexpr auto fields = io::table("fleet_link.began", io::field("process", &began::process));
+  GODWIT_FIELDS(began, "fleet_link.began", process);
 };
 
 struct restarted {
@@ -19,9 +19,7 @@ struct restarted {
   std::uint64_t incarnation = 0;
   std::uint64_t restarts = 0; // in this process
   std::string reason;
-  static constexpr auto fields = io::table(
-      "fleet_link.restarted", io::field("actor", &restarted::actor), io::field("incarnation", &restarted::incarnation),
-      io::field("restarts", &restarted::restarts), io::field("reason", &restarted::reason));
+  GODWIT_FIELDS(restarted, "fleet_link.restarted", actor, incarnation, restarts, reason);
 };
 
 template <class Data>

@@ -43,23 +43,13 @@ enum class event_kind {
   actor_restarted // it had crashed
 };
 
-constexpr auto enum_names(event_kind) {
-  return io::names<event_kind>({{event_kind::process_began, "process_began"},
-                                {event_kind::flight, "flight"},
-                                {event_kind::authority, "authority"},
-                                {event_kind::progress, "progress"},
-                                {event_kind::failsafe, "failsafe"},
-                                {event_kind::point_shown, "point_shown"},
-                                {event_kind::point_closed, "point_closed"},
-                                {event_kind::health, "health"},
-                                {event_kind::actor_restarted, "actor_restarted"}});
-}
+GODWIT_ENUM_NAMES(event_kind, process_began, flight, authority, progress, failsafe, point_shown, point_closed, health,
+                  actor_restarted);
 
 struct news {
   event_kind kind = event_kind::flight;
   std::string data; // JSON
-  static constexpr auto fields =
-      io::table("fleet_link.news", io::field("kind", &news::kind), io::field("data", &news::data));
+  GODWIT_FIELDS(news, "fleet_link.news", kind, data);
 };
 
 struct queued_event {
@@ -68,17 +58,13 @@ struct queued_event {
   event_kind kind = event_kind::flight;
   bool is_late = false; // there was no broker when it happened
   std::string data;     // JSON
-  static constexpr auto fields =
-      io::table("fleet_link.queued_event", io::field("number", &queued_event::number),
-                io::field("at_ms", &queued_event::at_ms), io::field("kind", &queued_event::kind),
-                io::field("is_late", &queued_event::is_late), io::field("data", &queued_event::data));
+  GODWIT_FIELDS(queued_event, "fleet_link.queued_event", number, at_ms, kind, is_late, data);
 };
 
 struct actor_restarts {
   std::string name;
   std::uint64_t restarts = 0;
-  static constexpr auto fields = io::table("fleet_link.actor_restarts", io::field("name", &actor_restarts::name),
-                                           io::field("restarts", &actor_restarts::restarts));
+  GODWIT_FIELDS(actor_restarts, "fleet_link.actor_restarts", name, restarts);
 };
 
 // What was seen last. None: nothing yet.
@@ -88,9 +74,7 @@ struct sight {
   std::optional<failsafe::failsafe_status> failsafe;
   std::optional<health::colour> worst;
   std::vector<actor_restarts> actors; // of this process, those that were restarted
-  static constexpr auto fields = io::table("fleet_link.sight", io::field("process", &sight::process),
-                                           io::field("flight", &sight::flight), io::field("failsafe", &sight::failsafe),
-                                           io::field("worst", &sight::worst), io::field("actors", &sight::actors));
+  GODWIT_FIELDS(sight, "fleet_link.sight", process, flight, failsafe, worst, actors);
 };
 
 struct state {
@@ -102,18 +86,14 @@ struct state {
   std::uint64_t dropped = 0;
   sight seen;
   static constexpr int version = 1;
-  static constexpr auto fields =
-      io::table("fleet_link.state", io::field("store", &state::store), io::field("next_number", &state::next_number),
-                io::field("events", &state::events), io::field("event_bytes", &state::event_bytes),
-                io::field("delivered", &state::delivered), io::field("dropped", &state::dropped),
-                io::field("seen", &state::seen));
+  GODWIT_FIELDS(state, "fleet_link.state", store, next_number, events, event_bytes, delivered, dropped, seen);
 };
 
 // -- facts
 
 struct store_named {
   std::string store;
-  static constexpr auto fields = io::table("fleet_link.store_named", io::field("store", &store_named::store));
+  GODWIT_FIELDS(store_named, "fleet_link.store_named", store);
 };
 
 // What is absent in SEEN is as it was.
@@ -121,14 +101,13 @@ struct noted {
   std::vector<news> what;
   bool is_late = false;
   sight seen; // `process`: empty where it is as it was; `actors`: those that have changed
-  static constexpr auto fields = io::table("fleet_link.noted", io::field("what", &noted::what),
-                                           io::field("is_late", &noted::is_late), io::field("seen", &noted::seen));
+  GODWIT_FIELDS(noted, "fleet_link.noted", what, is_late, seen);
 };
 
 // The broker has all up to this number.
 struct delivered {
   std::uint64_t upto = 0;
-  static constexpr auto fields = io::table("fleet_link.delivered", io::field("upto", &delivered::upto));
+  GODWIT_FIELDS(delivered, "fleet_link.delivered", upto);
 };
 
 // -- what comes of them
@@ -137,7 +116,7 @@ struct delivered {
 struct written {
   static constexpr auto goes_out = runtime::effect_kind::after_commit;
   std::uint64_t upto = 0;
-  static constexpr auto fields = io::table("fleet_link.written", io::field("upto", &written::upto));
+  GODWIT_FIELDS(written, "fleet_link.written", upto);
 };
 
 struct durable_core {

@@ -22,11 +22,8 @@ struct kept_item {
   std::int32_t x = 0;
   std::int32_t y = 0;
   std::array<std::uint32_t, 5> float_bits{}; // param1 to param4, z
-  static constexpr auto fields = io::table(
-      "ground_port.kept_item", io::field("command", &kept_item::command), io::field("frame", &kept_item::frame),
-      io::field("current", &kept_item::current), io::field("autocontinue", &kept_item::autocontinue),
-      io::field("mission_type", &kept_item::mission_type), io::field("x", &kept_item::x), io::field("y", &kept_item::y),
-      io::field("float_bits", &kept_item::float_bits));
+  GODWIT_FIELDS(kept_item, "ground_port.kept_item", command, frame, current, autocontinue, mission_type, x, y,
+                float_bits);
 };
 
 // Without the address; the sequence of an item is its place in the list.

@@ -32,8 +32,7 @@ namespace godwit::ground_port {
 struct signing_time_reserved {
   static constexpr auto goes_out = runtime::effect_kind::after_commit;
   std::uint64_t ceiling = 0;
-  static constexpr auto fields =
-      io::table("ground_port.signing_time_reserved", io::field("ceiling", &signing_time_reserved::ceiling));
+  GODWIT_FIELDS(signing_time_reserved, "ground_port.signing_time_reserved", ceiling);
 };
 
 // The plan of this type is this one now; without items: none.
@@ -46,11 +45,7 @@ struct plan_noted {
   bool from_executor = false;              // which then need not be told
   executor::station by;
   std::optional<io::mavlink::mission_ack> ack; // what the station waits for; of CLEAR_ALL with the last type alone
-  static constexpr auto fields = io::table(
-      "ground_port.plan_noted", io::field("ticket", &plan_noted::ticket), io::field("type", &plan_noted::type),
-      io::field("plan_id", &plan_noted::plan_id), io::field("items", &plan_noted::items),
-      io::field("start_item", &plan_noted::start_item), io::field("from_executor", &plan_noted::from_executor),
-      io::field("by", &plan_noted::by), io::field("ack", &plan_noted::ack));
+  GODWIT_FIELDS(plan_noted, "ground_port.plan_noted", ticket, type, plan_id, items, start_item, from_executor, by, ack);
 };
 
 struct plan_resolved {
@@ -59,10 +54,7 @@ struct plan_resolved {
   std::int64_t at_ns = 0; // ns since 1970 (UTC)
   io::mavlink::mav_mission_type type = io::mavlink::mav_mission_type::mission;
   std::uint32_t plan_id = 0; // 0: of a clear
-  static constexpr auto fields =
-      io::table("ground_port.plan_settled", io::field("ticket", &plan_resolved::ticket),
-                io::field("ack", &plan_resolved::ack), io::field("at_ns", &plan_resolved::at_ns),
-                io::field("type", &plan_resolved::type), io::field("plan_id", &plan_resolved::plan_id));
+  GODWIT_FIELDS(plan_resolved, "ground_port.plan_settled", ticket, ack, at_ns, type, plan_id);
 };
 
 // A MISSION_START that was given to the executor, and what became of it.
@@ -91,12 +83,12 @@ struct start_record {
 
 struct start_noted {
   start_record record;
-  static constexpr auto fields = io::table("ground_port.start_noted", io::field("record", &start_noted::record));
+  GODWIT_FIELDS(start_noted, "ground_port.start_noted", record);
 };
 
 struct start_resolved {
   start_record record;
-  static constexpr auto fields = io::table("ground_port.start_settled", io::field("record", &start_resolved::record));
+  GODWIT_FIELDS(start_resolved, "ground_port.start_settled", record);
 };
 
 // The mission is not running, and will begin here. Without an index: the choice is used up.
@@ -104,9 +96,7 @@ struct start_item_noted {
   std::uint64_t ticket = 0; // tells which start_item_resolved belongs to it
   std::optional<std::uint16_t> index;
   std::optional<io::mavlink::command_ack> ack; // none: it was asked for without a command
-  static constexpr auto fields =
-      io::table("ground_port.start_item_noted", io::field("ticket", &start_item_noted::ticket),
-                io::field("index", &start_item_noted::index), io::field("ack", &start_item_noted::ack));
+  GODWIT_FIELDS(start_item_noted, "ground_port.start_item_noted", ticket, index, ack);
 };
 
 struct start_item_resolved {
@@ -114,27 +104,21 @@ struct start_item_resolved {
   std::optional<std::uint16_t> index;
   std::optional<io::mavlink::command_ack> ack;
   std::int64_t at_ns = 0; // ns since 1970 (UTC)
-  static constexpr auto fields =
-      io::table("ground_port.start_item_settled", io::field("ticket", &start_item_resolved::ticket),
-                io::field("index", &start_item_resolved::index), io::field("ack", &start_item_resolved::ack),
-                io::field("at_ns", &start_item_resolved::at_ns));
+  GODWIT_FIELDS(start_item_resolved, "ground_port.start_item_settled", ticket, index, ack, at_ns);
 };
 
 struct kept_plan {
   io::mavlink::mav_mission_type type = io::mavlink::mav_mission_type::mission;
   std::uint32_t plan_id = 0;
   std::vector<kept_item> items;
-  static constexpr auto fields =
-      io::table("ground_port.kept_plan", io::field("type", &kept_plan::type), io::field("plan_id", &kept_plan::plan_id),
-                io::field("items", &kept_plan::items));
+  GODWIT_FIELDS(kept_plan, "ground_port.kept_plan", type, plan_id, items);
 };
 
 // A station shows this mission: it has uploaded it, also where that was not taken. 0: none.
 struct plan_view {
   executor::station by;
   std::uint32_t plan_id = 0;
-  static constexpr auto fields =
-      io::table("ground_port.plan_view", io::field("by", &plan_view::by), io::field("plan_id", &plan_view::plan_id));
+  GODWIT_FIELDS(plan_view, "ground_port.plan_view", by, plan_id);
 };
 
 // As many as stations are known at all; at the bound the one that was noted longest ago makes room.
@@ -148,10 +132,7 @@ struct state {
   std::optional<start_record> last_start;
   std::vector<plan_view> views; // by uploads
   static constexpr int version = 1;
-  static constexpr auto fields =
-      io::table("ground_port.state", io::field("signing_ceiling", &state::signing_ceiling),
-                io::field("plans", &state::plans), io::field("start_item", &state::start_item),
-                io::field("last_start", &state::last_start), io::field("views", &state::views));
+  GODWIT_FIELDS(state, "ground_port.state", signing_ceiling, plans, start_item, last_start, views);
 };
 
 struct durable_core {

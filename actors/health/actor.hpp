@@ -45,7 +45,7 @@ struct outside_world {
 // All entries of the board, recorded where they have changed.
 struct board_view {
   std::vector<posted> all;
-  static constexpr auto fields = io::table("health.board_view", io::field("all", &board_view::all));
+  GODWIT_FIELDS(board_view, "health.board_view", all);
 };
 
 class actor final : public runtime::actor_base<own_handle> {

@@ -23,8 +23,7 @@ struct posted {
   std::string part;
   colour health = colour::green;
   std::string reason;
-  static constexpr auto fields = io::table("health.posted", io::field("part", &posted::part),
-                                           io::field("health", &posted::health), io::field("reason", &posted::reason));
+  GODWIT_FIELDS(posted, "health.posted", part, health, reason);
 };
 
 class core {

@@ -37,13 +37,8 @@ struct mail_figures {
   std::uint64_t refused = 0;
   std::uint64_t dropped = 0;
   std::uint64_t not_accepted = 0;
-  static constexpr auto fields = io::table(
-      "health.mail_figures", io::field("actor", &mail_figures::actor), io::field("waiting", &mail_figures::waiting),
-      io::field("accepted", &mail_figures::accepted), io::field("handled", &mail_figures::handled),
-      io::field("crashes", &mail_figures::crashes), io::field("requeued", &mail_figures::requeued),
-      io::field("dead_lettered", &mail_figures::dead_lettered), io::field("repeated", &mail_figures::repeated),
-      io::field("lost", &mail_figures::lost), io::field("refused", &mail_figures::refused),
-      io::field("dropped", &mail_figures::dropped), io::field("not_accepted", &mail_figures::not_accepted));
+  GODWIT_FIELDS(mail_figures, "health.mail_figures", actor, waiting, accepted, handled, crashes, requeued,
+                dead_lettered, repeated, lost, refused, dropped, not_accepted);
 };
 
 struct journal_figures {
@@ -57,13 +52,8 @@ struct journal_figures {
   std::uint64_t queued = 0; // writes that wait now
   double fill = 0;          // of the bound on what waits: 1 = refuses
   std::uint64_t run = 0;    // how many times this journal was opened, this time included
-  static constexpr auto fields =
-      io::table("health.journal_figures", io::field("is_failing", &journal_figures::is_failing),
-                io::field("reason", &journal_figures::reason), io::field("commits", &journal_figures::commits),
-                io::field("writes", &journal_figures::writes), io::field("events", &journal_figures::events),
-                io::field("retries", &journal_figures::retries), io::field("refused", &journal_figures::refused),
-                io::field("queued", &journal_figures::queued), io::field("fill", &journal_figures::fill),
-                io::field("run", &journal_figures::run));
+  GODWIT_FIELDS(journal_figures, "health.journal_figures", is_failing, reason, commits, writes, events, retries,
+                refused, queued, fill, run);
 };
 
 // Records of deliveries.
@@ -73,10 +63,7 @@ struct trace_figures {
   std::uint64_t oversize = 0;
   std::uint64_t written = 0;
   std::uint64_t unwritten = 0;
-  static constexpr auto fields =
-      io::table("health.trace_figures", io::field("recorded", &trace_figures::recorded),
-                io::field("dropped", &trace_figures::dropped), io::field("oversize", &trace_figures::oversize),
-                io::field("written", &trace_figures::written), io::field("unwritten", &trace_figures::unwritten));
+  GODWIT_FIELDS(trace_figures, "health.trace_figures", recorded, dropped, oversize, written, unwritten);
 };
 
 // Of the operating system; what it does not tell is absent.
@@ -90,13 +77,8 @@ struct process_figures {
   std::uint64_t open_files = 0;
   std::uint64_t max_files = 0;
   std::optional<std::uint64_t> free_disk_bytes; // of the journal's disk
-  static constexpr auto fields = io::table(
-      "health.process_figures", io::field("version", &process_figures::version),
-      io::field("began_ms", &process_figures::began_ms), io::field("cpu_s", &process_figures::cpu_s),
-      io::field("threads", &process_figures::threads), io::field("resident_bytes", &process_figures::resident_bytes),
-      io::field("virtual_bytes", &process_figures::virtual_bytes),
-      io::field("open_files", &process_figures::open_files), io::field("max_files", &process_figures::max_files),
-      io::field("free_disk_bytes", &process_figures::free_disk_bytes));
+  GODWIT_FIELDS(process_figures, "health.process_figures", version, began_ms, cpu_s, threads, resident_bytes,
+                virtual_bytes, open_files, max_files, free_disk_bytes);
 };
 
 // What is not an actor's.
@@ -110,8 +92,7 @@ struct host_figures {
 struct unanswered_part {
   std::string part;
   std::string why;
-  static constexpr auto fields = io::table("health.unanswered_part", io::field("part", &unanswered_part::part),
-                                           io::field("why", &unanswered_part::why));
+  GODWIT_FIELDS(unanswered_part, "health.unanswered_part", part, why);
 };
 
 struct report {
@@ -131,14 +112,8 @@ struct report {
   trace_figures trace;
   process_figures process;
   std::vector<unanswered_part> unanswered;
-  static constexpr auto fields = io::table(
-      "health.report", io::field("at_ms", &report::at_ms), io::field("health", &report::health),
-      io::field("flight", &report::flight), io::field("missions", &report::missions),
-      io::field("failsafe", &report::failsafe), io::field("vehicle", &report::vehicle),
-      io::field("ground", &report::ground), io::field("service", &report::service), io::field("map", &report::map),
-      io::field("fleet", &report::fleet), io::field("actors", &report::actors), io::field("mail", &report::mail),
-      io::field("journal", &report::journal), io::field("trace", &report::trace),
-      io::field("process", &report::process), io::field("unanswered", &report::unanswered));
+  GODWIT_FIELDS(report, "health.report", at_ms, health, flight, missions, failsafe, vehicle, ground, service, map,
+                fleet, actors, mail, journal, trace, process, unanswered);
 };
 
 } // namespace godwit::health

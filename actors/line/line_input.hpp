@@ -23,11 +23,7 @@ struct line_input {
   io::link::peer_id peer = 0;
   bool is_datagram = false;
   std::string bytes; // hexadecimal digits
-  static constexpr auto fields =
-      io::table("line.input", io::field("is_status", &line_input::is_status), io::field("phase", &line_input::phase),
-                io::field("reason", &line_input::reason), io::field("reconnects", &line_input::reconnects),
-                io::field("peer", &line_input::peer), io::field("is_datagram", &line_input::is_datagram),
-                io::field("bytes", &line_input::bytes));
+  GODWIT_FIELDS(line_input, "line.input", is_status, phase, reason, reconnects, peer, is_datagram, bytes);
 
   [[nodiscard]] static line_input of(const line_news& news);
   [[nodiscard]] line_news news() const;
@@ -37,8 +33,7 @@ struct line_input {
 struct line_drops {
   std::uint64_t in = 0;
   std::uint64_t out = 0;
-  static constexpr auto fields =
-      io::table("line.drops", io::field("in", &line_drops::in), io::field("out", &line_drops::out));
+  GODWIT_FIELDS(line_drops, "line.drops", in, out);
 };
 
 } // namespace godwit::line

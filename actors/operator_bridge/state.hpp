@@ -35,18 +35,14 @@ struct session {
   std::string from;
   std::int64_t opened_ns = 0;
   std::int64_t used_ns = 0; // written once a minute at most
-  static constexpr auto fields =
-      io::table("operator_bridge.session", io::field("id", &session::id), io::field("who", &session::who),
-                io::field("token_hash", &session::token_hash), io::field("from", &session::from),
-                io::field("opened_ns", &session::opened_ns), io::field("used_ns", &session::used_ns));
+  GODWIT_FIELDS(session, "operator_bridge.session", id, who, token_hash, from, opened_ns, used_ns);
 };
 
 struct link {
   std::string hash;
   operators::principal by;
   std::int64_t until_ns = 0;
-  static constexpr auto fields = io::table("operator_bridge.link", io::field("hash", &link::hash),
-                                           io::field("by", &link::by), io::field("until_ns", &link::until_ns));
+  GODWIT_FIELDS(link, "operator_bridge.link", hash, by, until_ns);
 };
 
 // A command that was handed on, or refused to somebody who is known. While it has no answer, it is with the executor:
@@ -58,67 +54,63 @@ struct kept_command {
   std::string text; // of the command, to tell a repetition from another one
   std::int64_t valid_until_ns = 0;
   std::optional<command_answer> answer;
-  static constexpr auto fields = io::table(
-      "operator_bridge.kept_command", io::field("number", &kept_command::number), io::field("by", &kept_command::by),
-      io::field("id", &kept_command::id), io::field("text", &kept_command::text),
-      io::field("valid_until_ns", &kept_command::valid_until_ns), io::field("answer", &kept_command::answer));
+  GODWIT_FIELDS(kept_command, "operator_bridge.kept_command", number, by, id, text, valid_until_ns, answer);
 };
 
 // -- facts ------------------------------------------------------------------------------------------
 
 struct command_kept {
   kept_command what;
-  static constexpr auto fields = io::table("operator_bridge.command_kept", io::field("what", &command_kept::what));
+  GODWIT_FIELDS(command_kept, "operator_bridge.command_kept", what);
 };
 
 struct command_ended {
   std::uint64_t number = 0;
   command_answer answer;
-  static constexpr auto fields = io::table("operator_bridge.command_ended", io::field("number", &command_ended::number),
-                                           io::field("answer", &command_ended::answer));
+  GODWIT_FIELDS(command_ended, "operator_bridge.command_ended", number, answer);
 };
 
 // A row of the audit; with the number of an earlier one it takes that one's place. Without a number: of an earlier
 // version, which kept the rows in the state.
 struct audited {
   audit_row row;
-  static constexpr auto fields = io::table("operator_bridge.audited", io::field("row", &audited::row));
+  GODWIT_FIELDS(audited, "operator_bridge.audited", row);
 };
 
 // Rows that were in the state are in the table now.
 struct rows_moved {
   std::vector<audit_row> rows;
-  static constexpr auto fields = io::table("operator_bridge.rows_moved", io::field("rows", &rows_moved::rows));
+  GODWIT_FIELDS(rows_moved, "operator_bridge.rows_moved", rows);
 };
 
 struct control_changed {
   std::optional<operators::principal> to; // none: it is free
-  static constexpr auto fields = io::table("operator_bridge.control_changed", io::field("to", &control_changed::to));
+  GODWIT_FIELDS(control_changed, "operator_bridge.control_changed", to);
 };
 
 struct session_opened {
   session what; // without its times
-  static constexpr auto fields = io::table("operator_bridge.session_opened", io::field("what", &session_opened::what));
+  GODWIT_FIELDS(session_opened, "operator_bridge.session_opened", what);
 };
 
 struct session_used {
   std::string id;
-  static constexpr auto fields = io::table("operator_bridge.session_used", io::field("id", &session_used::id));
+  GODWIT_FIELDS(session_used, "operator_bridge.session_used", id);
 };
 
 struct session_closed {
   std::string id;
-  static constexpr auto fields = io::table("operator_bridge.session_closed", io::field("id", &session_closed::id));
+  GODWIT_FIELDS(session_closed, "operator_bridge.session_closed", id);
 };
 
 struct link_made {
   link what;
-  static constexpr auto fields = io::table("operator_bridge.link_made", io::field("what", &link_made::what));
+  GODWIT_FIELDS(link_made, "operator_bridge.link_made", what);
 };
 
 struct link_dropped {
   std::string hash;
-  static constexpr auto fields = io::table("operator_bridge.link_dropped", io::field("hash", &link_dropped::hash));
+  GODWIT_FIELDS(link_dropped, "operator_bridge.link_dropped", hash);
 };
 
 struct state {
@@ -131,11 +123,8 @@ struct state {
   std::optional<control_holder> control;
   std::vector<audit_row> unmoved;   // of an older version: still to be written to the table
   static constexpr int version = 2; // 1: with the rows of the audit
-  static constexpr auto fields = io::table(
-      "operator_bridge.state", io::field("last_command", &state::last_command),
-      io::field("last_session", &state::last_session), io::field("last_row", &state::last_row),
-      io::field("commands", &state::commands), io::field("sessions", &state::sessions),
-      io::field("links", &state::links), io::field("control", &state::control), io::field("unmoved", &state::unmoved));
+  GODWIT_FIELDS(state, "operator_bridge.state", last_command, last_session, last_row, commands, sessions, links,
+                control, unmoved);
 };
 
 struct durable_core {

@@ -15,43 +15,35 @@ namespace godwit::scan_controller {
 // The computer was started anew: its monotonic clock is behind by so much.
 struct clock_restarted {
   std::int64_t behind_ns = 0;
-  static constexpr auto fields =
-      io::table("scan_controller.clock_restarted", io::field("behind_ns", &clock_restarted::behind_ns));
+  GODWIT_FIELDS(clock_restarted, "scan_controller.clock_restarted", behind_ns);
 };
 
 // All points are of this one from now on; the others are dropped, or passed over where they were shown.
 struct mission_begun {
   std::string mission_id;
   std::int64_t at_ns = 0;
-  static constexpr auto fields =
-      io::table("scan_controller.mission_begun", io::field("mission_id", &mission_begun::mission_id),
-                io::field("at_ns", &mission_begun::at_ns));
+  GODWIT_FIELDS(mission_begun, "scan_controller.mission_begun", mission_id, at_ns);
 };
 
 struct point_opened {
   point what;
   std::uint64_t again = 0; // number of the one that was passed over and is forgotten for it; 0: none
   std::int64_t at_ns = 0;
-  static constexpr auto fields =
-      io::table("scan_controller.point_opened", io::field("what", &point_opened::what),
-                io::field("again", &point_opened::again), io::field("at_ns", &point_opened::at_ns));
+  GODWIT_FIELDS(point_opened, "scan_controller.point_opened", what, again, at_ns);
 };
 
 // Seen again.
 struct point_seen {
   point now; // as it is with the new sighting; its number says which
   std::int64_t at_ns = 0;
-  static constexpr auto fields = io::table("scan_controller.point_seen", io::field("now", &point_seen::now),
-                                           io::field("at_ns", &point_seen::at_ns));
+  GODWIT_FIELDS(point_seen, "scan_controller.point_seen", now, at_ns);
 };
 
 struct point_dropped {
   std::uint64_t number = 0; // 0: it was dropped as it came
   drop_reason why = drop_reason::too_old;
   std::int64_t at_ns = 0;
-  static constexpr auto fields =
-      io::table("scan_controller.point_dropped", io::field("number", &point_dropped::number),
-                io::field("why", &point_dropped::why), io::field("at_ns", &point_dropped::at_ns));
+  GODWIT_FIELDS(point_dropped, "scan_controller.point_dropped", number, why, at_ns);
 };
 
 struct showing_begun {
@@ -59,10 +51,7 @@ struct showing_begun {
   std::int64_t window_ms = 0;
   std::uint32_t most_a_minute = 0;
   std::int64_t at_ns = 0;
-  static constexpr auto fields =
-      io::table("scan_controller.showing_begun", io::field("number", &showing_begun::number),
-                io::field("window_ms", &showing_begun::window_ms),
-                io::field("most_a_minute", &showing_begun::most_a_minute), io::field("at_ns", &showing_begun::at_ns));
+  GODWIT_FIELDS(showing_begun, "scan_controller.showing_begun", number, window_ms, most_a_minute, at_ns);
 };
 
 // A person has decided, or the window is over.
@@ -72,17 +61,13 @@ struct showing_ended {
   std::string by;
   std::int64_t at_ns = 0;
   std::int64_t wall_ns = 0; // for the map
-  static constexpr auto fields =
-      io::table("scan_controller.showing_ended", io::field("number", &showing_ended::number),
-                io::field("outcome", &showing_ended::outcome), io::field("by", &showing_ended::by),
-                io::field("at_ns", &showing_ended::at_ns), io::field("wall_ns", &showing_ended::wall_ns));
+  GODWIT_FIELDS(showing_ended, "scan_controller.showing_ended", number, outcome, by, at_ns, wall_ns);
 };
 
 // The map has taken the oldest decision that was owed to it, or will never take it.
 struct verdict_delivered {
   std::string id;
-  static constexpr auto fields =
-      io::table("scan_controller.verdict_delivered", io::field("id", &verdict_delivered::id));
+  GODWIT_FIELDS(verdict_delivered, "scan_controller.verdict_delivered", id);
 };
 
 using fact =

@@ -39,12 +39,8 @@ struct state {
   std::vector<owed_pass> owed_passes; // oldest first
 
   static constexpr int version = 1;
-  static constexpr auto fields = io::table(
-      "scan_controller.state", io::field("mission_id", &state::mission_id),
-      io::field("last_number", &state::last_number), io::field("newest_ns", &state::newest_ns),
-      io::field("waiting", &state::waiting), io::field("shown", &state::shown), io::field("closed", &state::closed),
-      io::field("shown_ns", &state::shown_ns), io::field("owed", &state::owed), io::field("counts", &state::counts),
-      io::field("pass", &state::pass), io::field("owed_passes", &state::owed_passes));
+  GODWIT_FIELDS(state, "scan_controller.state", mission_id, last_number, newest_ns, waiting, shown, closed, shown_ns,
+                owed, counts, pass, owed_passes);
 };
 
 // The durable core: puts facts into the state. What follows for subscribers comes back.

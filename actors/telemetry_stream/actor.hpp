@@ -35,14 +35,13 @@ struct peers {
 // Whether anybody listens: an input that comes by no mailbox.
 struct audience {
   bool is_there = false;
-  static constexpr auto fields = io::table("telemetry_stream.audience", io::field("is_there", &audience::is_there));
+  GODWIT_FIELDS(audience, "telemetry_stream.audience", is_there);
 };
 
 // Points that the camera has shown; the same.
 struct pictured_points {
   std::vector<std::uint64_t> numbers;
-  static constexpr auto fields =
-      io::table("telemetry_stream.pictured_points", io::field("numbers", &pictured_points::numbers));
+  GODWIT_FIELDS(pictured_points, "telemetry_stream.pictured_points", numbers);
 };
 
 class actor final : public runtime::actor_base<own_handle> {

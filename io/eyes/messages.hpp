@@ -34,12 +34,8 @@ struct begin {
   double max_off_nadir_deg = 70;
   std::string record_folder; // empty: nothing is recorded
   std::int64_t record_max_mb = 0;
-  static constexpr auto fields =
-      table("eyes.begin", field("uri", &begin::uri), field("width_px", &begin::width_px),
-            field("height_px", &begin::height_px), field("focal_px", &begin::focal_px), field("k1", &begin::k1),
-            field("k2", &begin::k2), field("min_height_m", &begin::min_height_m),
-            field("max_off_nadir_deg", &begin::max_off_nadir_deg), field("record_folder", &begin::record_folder),
-            field("record_max_mb", &begin::record_max_mb));
+  GODWIT_FIELDS(begin, "eyes.begin", uri, width_px, height_px, focal_px, k1, k2, min_height_m, max_off_nadir_deg,
+                record_folder, record_max_mb);
 };
 
 // Of the camera: body and mount are in it. The quaternion turns camera axes (x right, y down, z into the picture) into
@@ -59,21 +55,15 @@ struct pose {
   double attitude_sd_rad = 0;
   double position_sd_m = 0;
   double height_sd_m = 0;
-  static constexpr auto fields =
-      table("eyes.pose", field("at_ns", &pose::at_ns), field("w", &pose::w), field("x", &pose::x), field("y", &pose::y),
-            field("z", &pose::z), field("rate_x_rad_s", &pose::rate_x_rad_s),
-            field("rate_y_rad_s", &pose::rate_y_rad_s), field("rate_z_rad_s", &pose::rate_z_rad_s),
-            field("latitude_deg", &pose::latitude_deg), field("longitude_deg", &pose::longitude_deg),
-            field("height_m", &pose::height_m), field("attitude_sd_rad", &pose::attitude_sd_rad),
-            field("position_sd_m", &pose::position_sd_m), field("height_sd_m", &pose::height_sd_m));
+  GODWIT_FIELDS(pose, "eyes.pose", at_ns, w, x, y, z, rate_x_rad_s, rate_y_rad_s, rate_z_rad_s, latitude_deg,
+                longitude_deg, height_m, attitude_sd_rad, position_sd_m, height_sd_m);
 };
 
 // Pictures are put into the slot until this time, at most one each `gap_ms`. Said again by who still looks.
 struct want_picture {
   std::int64_t until_ns = 0;
   std::int64_t gap_ms = 200;
-  static constexpr auto fields =
-      table("eyes.want_picture", field("until_ns", &want_picture::until_ns), field("gap_ms", &want_picture::gap_ms));
+  GODWIT_FIELDS(want_picture, "eyes.want_picture", until_ns, gap_ms);
 };
 
 enum class source_state {
@@ -83,20 +73,12 @@ enum class source_state {
   ended   // a file is over
 };
 
-constexpr auto enum_names(source_state) {
-  return names<source_state>({{source_state::opening, "opening"},
-                              {source_state::playing, "playing"},
-                              {source_state::failed, "failed"},
-                              {source_state::ended, "ended"}});
-}
+GODWIT_ENUM_NAMES(source_state, opening, playing, failed, ended);
 
 // Of pictures that come, but show nothing.
 enum class picture_fault { none, black, repeated };
 
-constexpr auto enum_names(picture_fault) {
-  return names<picture_fault>(
-      {{picture_fault::none, "none"}, {picture_fault::black, "black"}, {picture_fault::repeated, "repeated"}});
-}
+GODWIT_ENUM_NAMES(picture_fault, none, black, repeated);
 
 // Each half second, also when nothing works: who says nothing for 2 s hangs.
 struct status {
@@ -119,14 +101,8 @@ struct status {
   std::uint64_t pictures = 0;    // put into the slot
   std::uint64_t recorded_kb = 0; // in segments that are there
   std::string record_error;      // a sentence; empty: all is well
-  static constexpr auto fields = table(
-      "eyes.status", field("at_ns", &status::at_ns), field("source", &status::source), field("reason", &status::reason),
-      field("fault", &status::fault), field("width_px", &status::width_px), field("height_px", &status::height_px),
-      field("frames_per_s", &status::frames_per_s), field("frames", &status::frames),
-      field("dropped", &status::dropped), field("opened", &status::opened), field("changes", &status::changes),
-      field("looked", &status::looked), field("usable", &status::usable), field("usable_at_ns", &status::usable_at_ns),
-      field("unusable", &status::unusable), field("look_ms", &status::look_ms), field("pictures", &status::pictures),
-      field("recorded_kb", &status::recorded_kb), field("record_error", &status::record_error));
+  GODWIT_FIELDS(status, "eyes.status", at_ns, source, reason, fault, width_px, height_px, frames_per_s, frames, dropped,
+                opened, changes, looked, usable, usable_at_ns, unusable, look_ms, pictures, recorded_kb, record_error);
 };
 
 // Of a picture, in pixels from its upper left corner.
@@ -135,8 +111,7 @@ struct box {
   double y_px = 0;
   double width_px = 0;
   double height_px = 0;
-  static constexpr auto fields = table("eyes.box", field("x_px", &box::x_px), field("y_px", &box::y_px),
-                                       field("width_px", &box::width_px), field("height_px", &box::height_px));
+  GODWIT_FIELDS(box, "eyes.box", x_px, y_px, width_px, height_px);
 };
 
 struct ground_place {
@@ -146,12 +121,8 @@ struct ground_place {
   double variance_east_m2 = 0;
   double covariance_m2 = 0;
   double size_m = 0;
-  static constexpr auto fields =
-      table("eyes.ground_place", field("latitude_deg", &ground_place::latitude_deg),
-            field("longitude_deg", &ground_place::longitude_deg),
-            field("variance_north_m2", &ground_place::variance_north_m2),
-            field("variance_east_m2", &ground_place::variance_east_m2),
-            field("covariance_m2", &ground_place::covariance_m2), field("size_m", &ground_place::size_m));
+  GODWIT_FIELDS(ground_place, "eyes.ground_place", latitude_deg, longitude_deg, variance_north_m2, variance_east_m2,
+                covariance_m2, size_m);
 };
 
 struct candidate {
@@ -161,18 +132,14 @@ struct candidate {
   double confidence = 0;             // 0..1
   double speed_px_s = 0;
   std::int32_t frames_seen = 0;
-  static constexpr auto fields =
-      table("eyes.candidate", field("track", &candidate::track), field("where", &candidate::where),
-            field("place", &candidate::place), field("confidence", &candidate::confidence),
-            field("speed_px_s", &candidate::speed_px_s), field("frames_seen", &candidate::frames_seen));
+  GODWIT_FIELDS(candidate, "eyes.candidate", track, where, place, confidence, speed_px_s, frames_seen);
 };
 
 // What moves in one picture; not said of pictures in which nothing does.
 struct candidates {
   std::int64_t captured_ns = 0;
   std::vector<candidate> seen;
-  static constexpr auto fields =
-      table("eyes.candidates", field("captured_ns", &candidates::captured_ns), field("seen", &candidates::seen));
+  GODWIT_FIELDS(candidates, "eyes.candidates", captured_ns, seen);
 };
 
 using message = std::variant<begin, pose, want_picture, status, candidates>;

@@ -5,10 +5,17 @@
 //
 //   struct moved {
 //     double distance_m = 0;
-//     std::string operator_token;
-//     static constexpr auto fields = io::table("moved", io::field("distance_m", &moved::distance_m),
-//                                              io::secret("operator_token", &moved::operator_token));
+//     std::uint32_t count = 0;
+//     GODWIT_FIELDS(moved, "odometer.moved", distance_m, count);
 //   };
+//   enum class unit { metre, mile };
+//   GODWIT_ENUM_NAMES(unit, metre, mile);
+//
+// The macros name each field and each value as the code does. A table with a field that is secret, or that has another
+// name outside of the code, is written out:
+//
+//   static constexpr auto fields = io::table("login", io::field("user", &login::user_name),
+//                                            io::secret("operator_token", &login::operator_token));
 //
 // Kinds of value: bool, integers, floating point, enums (text where `enum_names(E)` is found by argument-dependent
 // lookup, else the number), std::string, std::chrono durations and time points (a count), std::optional, std::vector,
@@ -26,6 +33,8 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+#include "io/fields/each_name.hpp"
 
 namespace godwit::io {
 
@@ -97,8 +106,13 @@ constexpr void for_each_field(Visitor&& visit) {
   T::fields.entries.apply([&](const auto&... entry) { (visit(entry), ...); });
 }
 
-// The text of an enum's values: `constexpr auto enum_names(colour) { return io::names<colour>({{colour::red, "red"},
-// ...}); }`
+template <class E>
+constexpr std::pair<E, std::string_view> name(E value, std::string_view text) {
+  return {value, text};
+}
+
+// The text of an enum's values where it is not their name in the code: `constexpr auto enum_names(colour) { return
+// io::names<colour>({{colour::red, "RED"}, ...}); }`
 template <class E, std::size_t N>
 constexpr std::array<std::pair<E, std::string_view>, N> names(const std::pair<E, std::string_view> (&list)[N]) {
   return std::to_array(list);
@@ -198,3 +212,14 @@ constexpr bool equal(const T& a, const T& b) {
 }
 
 } // namespace godwit::io
+
+#define GODWIT_FIELD(type, member) ::godwit::io::field(#member, &type::member)
+#define GODWIT_FIELDS(type, type_name, ...)                                                                            \
+  static constexpr auto fields = ::godwit::io::table(type_name, GODWIT_EACH_NAME(GODWIT_FIELD, type, __VA_ARGS__))
+
+#define GODWIT_ENUM_NAME(type, value) ::godwit::io::name(type::value, #value)
+#define GODWIT_ENUM_NAMES(type, ...)                                                                                   \
+  constexpr auto enum_names(type) {                                                                                    \
+    return ::godwit::io::names<type>({GODWIT_EACH_NAME(GODWIT_ENUM_NAME, type, __VA_ARGS__)});                         \
+  }                                                                                                                    \
+  static_assert(::godwit::io::named_enum<type>)

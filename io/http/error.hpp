@@ -41,34 +41,10 @@ enum class errc {
   cancelled,          // by the caller, by its sink, or because the client was destroyed
 };
 
-constexpr auto enum_names(errc) {
-  return names<errc>({{errc::invalid_settings, "invalid_settings"},
-                      {errc::cannot_listen, "cannot_listen"},
-                      {errc::invalid_request, "invalid_request"},
-                      {errc::too_many, "too_many"},
-                      {errc::closing, "closing"},
-                      {errc::token_file, "token_file"},
-                      {errc::token_in_clear, "token_in_clear"},
-                      {errc::cannot_resolve, "cannot_resolve"},
-                      {errc::refused, "refused"},
-                      {errc::unreachable, "unreachable"},
-                      {errc::connect_timeout, "connect_timeout"},
-                      {errc::read_timeout, "read_timeout"},
-                      {errc::total_timeout, "total_timeout"},
-                      {errc::proxy_refused, "proxy_refused"},
-                      {errc::tls_failed, "tls_failed"},
-                      {errc::tls_not_verified, "tls_not_verified"},
-                      {errc::wrong_host, "wrong_host"},
-                      {errc::connection_lost, "connection_lost"},
-                      {errc::truncated, "truncated"},
-                      {errc::malformed, "malformed"},
-                      {errc::header_too_large, "header_too_large"},
-                      {errc::body_too_large, "body_too_large"},
-                      {errc::encoded, "encoded"},
-                      {errc::wrong_content_type, "wrong_content_type"},
-                      {errc::redirect, "redirect"},
-                      {errc::cancelled, "cancelled"}});
-}
+GODWIT_ENUM_NAMES(errc, invalid_settings, cannot_listen, invalid_request, too_many, closing, token_file, token_in_clear,
+                  cannot_resolve, refused, unreachable, connect_timeout, read_timeout, total_timeout, proxy_refused,
+                  tls_failed, tls_not_verified, wrong_host, connection_lost, truncated, malformed, header_too_large,
+                  body_too_large, encoded, wrong_content_type, redirect, cancelled);
 
 struct error {
   errc code{};

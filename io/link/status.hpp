@@ -14,10 +14,7 @@ inline constexpr peer_id every_peer = 0;
 inline constexpr peer_id only_peer = 1;
 
 enum class link_phase { connecting, up, down };
-constexpr auto enum_names(link_phase) {
-  return names<link_phase>(
-      {{link_phase::connecting, "connecting"}, {link_phase::up, "up"}, {link_phase::down, "down"}});
-}
+GODWIT_ENUM_NAMES(link_phase, connecting, up, down);
 
 struct link_status {
   link_phase phase = link_phase::connecting;

@@ -18,17 +18,7 @@ enum class failure {
   unusable        // of our own: a file can not be read
 };
 
-constexpr auto enum_names(failure) {
-  return io::names<failure>({{failure::none, "none"},
-                             {failure::not_resolved, "not_resolved"},
-                             {failure::unreachable, "unreachable"},
-                             {failure::lost, "lost"},
-                             {failure::certificate, "certificate"},
-                             {failure::not_authorised, "not_authorised"},
-                             {failure::taken_over, "taken_over"},
-                             {failure::refused, "refused"},
-                             {failure::retain_refused, "retain_refused"},
-                             {failure::unusable, "unusable"}});
-}
+GODWIT_ENUM_NAMES(failure, none, not_resolved, unreachable, lost, certificate, not_authorised, taken_over, refused,
+                  retain_refused, unusable);
 
 } // namespace godwit::io::mqtt

@@ -32,22 +32,15 @@ struct flight_status {
   // is watched).
   std::string authority = "nobody";
   std::string state; // another one whenever what a person decides by has changed: what a command can be meant for
-  static constexpr auto fields = io::table(
-      "executor.flight_status", io::field("phase", &flight_status::phase), io::field("cause", &flight_status::cause),
-      io::field("sentence", &flight_status::sentence), io::field("in_flight", &flight_status::in_flight),
-      io::field("mission_id", &flight_status::mission_id), io::field("revision", &flight_status::revision),
-      io::field("generation", &flight_status::generation), io::field("reports", &flight_status::reports),
-      io::field("items_done", &flight_status::items_done), io::field("items", &flight_status::items),
-      io::field("preflight_report", &flight_status::preflight_report), io::field("is_armed", &flight_status::is_armed),
-      io::field("mode", &flight_status::mode), io::field("authority", &flight_status::authority),
-      io::field("state", &flight_status::state));
+  GODWIT_FIELDS(flight_status, "executor.flight_status", phase, cause, sentence, in_flight, mission_id, revision,
+                generation, reports, items_done, items, preflight_report, is_armed, mode, authority, state);
   friend bool operator==(const flight_status&, const flight_status&) = default;
 };
 
 // To itself: something may be due.
 struct tick {
   std::uint64_t incarnation = 0; // that goes on with it; those before have no time to keep any more
-  static constexpr auto fields = io::table("executor.tick", io::field("incarnation", &tick::incarnation));
+  GODWIT_FIELDS(tick, "executor.tick", incarnation);
 };
 
 } // namespace godwit::executor

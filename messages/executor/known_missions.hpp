@@ -21,13 +21,7 @@ enum class mission_origin {
   unknown  // of one that was flown before nobody keeps it
 };
 
-constexpr auto enum_names(mission_origin) {
-  return io::names<mission_origin>({{mission_origin::service, "service"},
-                                    {mission_origin::file, "file"},
-                                    {mission_origin::upload, "upload"},
-                                    {mission_origin::station, "station"},
-                                    {mission_origin::unknown, "unknown"}});
-}
+GODWIT_ENUM_NAMES(mission_origin, service, file, upload, station, unknown);
 
 enum class mission_place {
   prepared,  // on the ground: the next start flies it
@@ -38,14 +32,7 @@ enum class mission_place {
   refused    // it is not flown
 };
 
-constexpr auto enum_names(mission_place) {
-  return io::names<mission_place>({{mission_place::prepared, "prepared"},
-                                   {mission_place::in_flight, "in_flight"},
-                                   {mission_place::waiting, "waiting"},
-                                   {mission_place::ended, "ended"},
-                                   {mission_place::left, "left"},
-                                   {mission_place::refused, "refused"}});
-}
+GODWIT_ENUM_NAMES(mission_place, prepared, in_flight, waiting, ended, left, refused);
 
 struct known_mission {
   std::string mission_id;               // empty: it has none, because nobody could read it
@@ -57,12 +44,8 @@ struct known_mission {
   std::optional<std::uint32_t> items;      // none: they are not kept
   std::optional<std::uint32_t> items_done; // of these
   std::string reason;                      // sentence for people: why it waits, was refused, does not go on
-  static constexpr auto fields =
-      io::table("executor.known_mission", io::field("mission_id", &known_mission::mission_id),
-                io::field("revision", &known_mission::revision), io::field("origin", &known_mission::origin),
-                io::field("place", &known_mission::place), io::field("outcome", &known_mission::outcome),
-                io::field("last_report_at", &known_mission::last_report_at), io::field("items", &known_mission::items),
-                io::field("items_done", &known_mission::items_done), io::field("reason", &known_mission::reason));
+  GODWIT_FIELDS(known_mission, "executor.known_mission", mission_id, revision, origin, place, outcome, last_report_at,
+                items, items_done, reason);
   friend bool operator==(const known_mission&, const known_mission&) = default;
 };
 
@@ -75,7 +58,7 @@ struct get_missions {
 
 struct known_missions {
   std::vector<known_mission> list; // what is flown or prepared, what waits, what was refused, then the newest first
-  static constexpr auto fields = io::table("executor.known_missions", io::field("list", &known_missions::list));
+  GODWIT_FIELDS(known_missions, "executor.known_missions", list);
   friend bool operator==(const known_missions&, const known_missions&) = default;
 };
 

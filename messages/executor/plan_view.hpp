@@ -25,9 +25,7 @@ struct plan_view {
   std::vector<mission::position> way;       // through which that plan leads, in its order; empty: none is there
   std::optional<flight::home_place> home;   // the vehicle's own, as it tells
   std::optional<flight::home_place> kept;   // where godwit's returns lead, from the first take-off on
-  static constexpr auto fields = io::table(
-      "executor.plan_view", io::field("mission", &plan_view::mission), io::field("generation", &plan_view::generation),
-      io::field("way", &plan_view::way), io::field("home", &plan_view::home), io::field("kept", &plan_view::kept));
+  GODWIT_FIELDS(plan_view, "executor.plan_view", mission, generation, way, home, kept);
 };
 
 struct get_preflight {
@@ -38,9 +36,7 @@ struct preflight_finding {
   std::string check;
   std::string verdict;  // skipped, pass, degraded, fail
   std::string sentence; // what is wrong, where, and what to do
-  static constexpr auto fields =
-      io::table("executor.preflight_finding_view", io::field("check", &preflight_finding::check),
-                io::field("verdict", &preflight_finding::verdict), io::field("sentence", &preflight_finding::sentence));
+  GODWIT_FIELDS(preflight_finding, "executor.preflight_finding_view", check, verdict, sentence);
 };
 
 struct preflight_view {
@@ -50,11 +46,7 @@ struct preflight_view {
   std::string acknowledged_by;             // of this flight's report; empty: nobody
   std::int64_t looked_ms = 0;              // since 1970 (UTC); 0: this incarnation has not looked yet
   std::vector<preflight_finding> findings; // of that look, in the order of the checks
-  static constexpr auto fields =
-      io::table("executor.preflight_view", io::field("phase", &preflight_view::phase),
-                io::field("reason", &preflight_view::reason), io::field("report", &preflight_view::report),
-                io::field("acknowledged_by", &preflight_view::acknowledged_by),
-                io::field("looked_ms", &preflight_view::looked_ms), io::field("findings", &preflight_view::findings));
+  GODWIT_FIELDS(preflight_view, "executor.preflight_view", phase, reason, report, acknowledged_by, looked_ms, findings);
 };
 
 } // namespace godwit::executor

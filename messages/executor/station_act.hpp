@@ -31,17 +31,7 @@ enum class act_kind {
   configure // parameters, home, a restart: only of a vehicle that stands disarmed, and it is looked at anew after it
 };
 
-constexpr auto enum_names(act_kind) {
-  return io::names<act_kind>({{act_kind::hold, "hold"},
-                              {act_kind::go_on, "go_on"},
-                              {act_kind::arm, "arm"},
-                              {act_kind::take_off, "take_off"},
-                              {act_kind::go_to, "go_to"},
-                              {act_kind::stop, "stop"},
-                              {act_kind::stream, "stream"},
-                              {act_kind::command, "command"},
-                              {act_kind::configure, "configure"}});
-}
+GODWIT_ENUM_NAMES(act_kind, hold, go_on, arm, take_off, go_to, stop, stream, command, configure);
 
 struct station_act {
   act_kind kind = act_kind::command;
@@ -49,10 +39,7 @@ struct station_act {
   std::string what;             // for people: "arm", "mode 6"
   std::uint64_t number = 0;     // what follows names it
   bool is_acknowledged = false; // the vehicle answers it
-  static constexpr auto fields =
-      io::table("executor.station_act", io::field("kind", &station_act::kind), io::field("by", &station_act::by),
-                io::field("what", &station_act::what), io::field("number", &station_act::number),
-                io::field("is_acknowledged", &station_act::is_acknowledged));
+  GODWIT_FIELDS(station_act, "executor.station_act", kind, by, what, number, is_acknowledged);
 };
 
 enum class act_verdict {
@@ -63,19 +50,12 @@ enum class act_verdict {
   refused
 };
 
-constexpr auto enum_names(act_verdict) {
-  return io::names<act_verdict>({{act_verdict::pass, "pass"},
-                                 {act_verdict::done, "done"},
-                                 {act_verdict::own, "own"},
-                                 {act_verdict::begun, "begun"},
-                                 {act_verdict::refused, "refused"}});
-}
+GODWIT_ENUM_NAMES(act_verdict, pass, done, own, begun, refused);
 
 struct act_answer {
   act_verdict verdict = act_verdict::refused;
   std::string reason; // sentence for people, when refused
-  static constexpr auto fields = io::table("executor.act_answer", io::field("verdict", &act_answer::verdict),
-                                           io::field("reason", &act_answer::reason));
+  GODWIT_FIELDS(act_answer, "executor.act_answer", verdict, reason);
 };
 
 // To ground_port: what came of an act that was begun. Done: the vehicle has accepted it. Pass: it is a person's by now,
@@ -83,16 +63,14 @@ struct act_answer {
 struct act_resolved {
   std::uint64_t number = 0;
   act_answer answer;
-  static constexpr auto fields = io::table("executor.act_resolved", io::field("number", &act_resolved::number),
-                                           io::field("answer", &act_resolved::answer));
+  GODWIT_FIELDS(act_resolved, "executor.act_resolved", number, answer);
 };
 
 // From ground_port: the vehicle has answered a command that was passed on.
 struct act_acknowledged {
   std::uint64_t number = 0;
   bool is_refused = false;
-  static constexpr auto fields = io::table("executor.act_acknowledged", io::field("number", &act_acknowledged::number),
-                                           io::field("is_refused", &act_acknowledged::is_refused));
+  GODWIT_FIELDS(act_acknowledged, "executor.act_acknowledged", number, is_refused);
 };
 
 // "station 255/190"

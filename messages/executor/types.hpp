@@ -19,8 +19,7 @@ namespace godwit::executor {
 struct station {
   std::uint8_t system = 0;
   std::uint8_t component = 0;
-  static constexpr auto fields =
-      io::table("executor.station", io::field("system", &station::system), io::field("component", &station::component));
+  GODWIT_FIELDS(station, "executor.station", system, component);
   bool operator==(const station&) const = default;
 };
 
@@ -34,11 +33,7 @@ struct start_mission {
   station asked_by;
   std::int64_t obey_until_ns = 0; // ns since 1970 (UTC); later it is answered `too_late` and starts nothing
   bool by_mode = false; // the mission mode was asked for: who stands disarmed in it is armed by its station next
-  static constexpr auto fields = io::table(
-      "executor.start_mission", io::field("key", &start_mission::key), io::field("first", &start_mission::first),
-      io::field("last", &start_mission::last), io::field("plan_id", &start_mission::plan_id),
-      io::field("asked_by", &start_mission::asked_by), io::field("obey_until_ns", &start_mission::obey_until_ns),
-      io::field("by_mode", &start_mission::by_mode));
+  GODWIT_FIELDS(start_mission, "executor.start_mission", key, first, last, plan_id, asked_by, obey_until_ns, by_mode);
 };
 
 enum class start_verdict {
@@ -51,23 +46,13 @@ enum class start_verdict {
   failed         // it was tried: `reason` says how far it came
 };
 
-constexpr auto enum_names(start_verdict) {
-  return io::names<start_verdict>({{start_verdict::started, "started"},
-                                   {start_verdict::awaits_arming, "awaits_arming"},
-                                   {start_verdict::not_ready, "not_ready"},
-                                   {start_verdict::disarmed, "disarmed"},
-                                   {start_verdict::no_such_item, "no_such_item"},
-                                   {start_verdict::too_late, "too_late"},
-                                   {start_verdict::failed, "failed"}});
-}
+GODWIT_ENUM_NAMES(start_verdict, started, awaits_arming, not_ready, disarmed, no_such_item, too_late, failed);
 
 struct start_answer {
   std::uint64_t key = 0;
   start_verdict verdict = start_verdict::failed;
   std::string reason; // sentence for people; empty when started
-  static constexpr auto fields =
-      io::table("executor.start_answer", io::field("key", &start_answer::key),
-                io::field("verdict", &start_answer::verdict), io::field("reason", &start_answer::reason));
+  GODWIT_FIELDS(start_answer, "executor.start_answer", key, verdict, reason);
 };
 
 // The mission runs: go to this item now. Asking twice for the same item does no harm. Answered with current_answer.
@@ -75,9 +60,7 @@ struct set_current {
   std::uint16_t index = 0;
   std::uint32_t plan_id = 0;
   station asked_by;
-  static constexpr auto fields =
-      io::table("executor.set_current", io::field("index", &set_current::index),
-                io::field("plan_id", &set_current::plan_id), io::field("asked_by", &set_current::asked_by));
+  GODWIT_FIELDS(set_current, "executor.set_current", index, plan_id, asked_by);
 };
 
 enum class current_verdict {
@@ -88,19 +71,12 @@ enum class current_verdict {
   failed        // it was tried
 };
 
-constexpr auto enum_names(current_verdict) {
-  return io::names<current_verdict>({{current_verdict::going, "going"},
-                                     {current_verdict::not_running, "not_running"},
-                                     {current_verdict::no_such_item, "no_such_item"},
-                                     {current_verdict::not_now, "not_now"},
-                                     {current_verdict::failed, "failed"}});
-}
+GODWIT_ENUM_NAMES(current_verdict, going, not_running, no_such_item, not_now, failed);
 
 struct current_answer {
   current_verdict verdict = current_verdict::failed;
   std::string reason; // sentence for people; empty when going
-  static constexpr auto fields = io::table("executor.current_answer", io::field("verdict", &current_answer::verdict),
-                                           io::field("reason", &current_answer::reason));
+  GODWIT_FIELDS(current_answer, "executor.current_answer", verdict, reason);
 };
 
 // A station has uploaded a plan, and has been or is being told that it is held.
@@ -109,17 +85,14 @@ struct plan_taken {
   std::uint32_t plan_id = 0;
   std::vector<io::mavlink::mission_item_int> items; // as the station sent them
   station by;
-  static constexpr auto fields =
-      io::table("executor.plan_taken", io::field("type", &plan_taken::type), io::field("plan_id", &plan_taken::plan_id),
-                io::field("items", &plan_taken::items), io::field("by", &plan_taken::by));
+  GODWIT_FIELDS(plan_taken, "executor.plan_taken", type, plan_id, items, by);
 };
 
 // A station has cleared its plan.
 struct plan_cleared {
   io::mavlink::mav_mission_type type = io::mavlink::mav_mission_type::mission;
   station by;
-  static constexpr auto fields =
-      io::table("executor.plan_cleared", io::field("type", &plan_cleared::type), io::field("by", &plan_cleared::by));
+  GODWIT_FIELDS(plan_cleared, "executor.plan_cleared", type, by);
 };
 
 } // namespace godwit::executor

@@ -17,12 +17,8 @@ struct way_home_estimate {
   std::int32_t reserve_percent = 0;         // at which the failsafe returns
   std::optional<double> spare_percent;      // left above the reserve and the way home; 0 or less: it lasts just for it
   std::string why_not_known;                // sentence for people; empty when it is known
-  static constexpr auto fields =
-      io::table("executor.way_home_estimate", io::field("needs_percent", &way_home_estimate::needs_percent),
-                io::field("left_percent", &way_home_estimate::left_percent),
-                io::field("reserve_percent", &way_home_estimate::reserve_percent),
-                io::field("spare_percent", &way_home_estimate::spare_percent),
-                io::field("why_not_known", &way_home_estimate::why_not_known));
+  GODWIT_FIELDS(way_home_estimate, "executor.way_home_estimate", needs_percent, left_percent, reserve_percent,
+                spare_percent, why_not_known);
   friend bool operator==(const way_home_estimate&, const way_home_estimate&) = default;
 };
 

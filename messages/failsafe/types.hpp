@@ -19,12 +19,7 @@ namespace godwit::failsafe {
 // What may trigger. In the order of their priority: the first is the highest.
 enum class rule { battery_critical, fence, battery_low, operator_link };
 
-constexpr auto enum_names(rule) {
-  return io::names<rule>({{rule::battery_critical, "battery_critical"},
-                          {rule::fence, "fence"},
-                          {rule::battery_low, "battery_low"},
-                          {rule::operator_link, "operator_link"}});
-}
+GODWIT_ENUM_NAMES(rule, battery_critical, fence, battery_low, operator_link);
 
 enum class action {
   return_home, // the autopilot's own return, to its home
@@ -54,10 +49,7 @@ struct guard_mission {
   // Of a first flight that begins where its home is: an arming leaves it there.
   std::optional<flight::home_place> home_before = {};
 
-  static constexpr auto fields =
-      io::table("failsafe.guard_mission", io::field("geofences", &guard_mission::geofences),
-                io::field("land_start", &guard_mission::land_start), io::field("plan_end", &guard_mission::plan_end),
-                io::field("home", &guard_mission::home), io::field("home_before", &guard_mission::home_before));
+  GODWIT_FIELDS(guard_mission, "failsafe.guard_mission", geofences, land_start, plan_end, home, home_before);
   friend bool operator==(const guard_mission&, const guard_mission&) = default;
 };
 
@@ -66,8 +58,7 @@ struct guard_answer {
   bool taken = false;
   std::string reason; // sentence for people; empty when taken
 
-  static constexpr auto fields = io::table("failsafe.guard_answer", io::field("taken", &guard_answer::taken),
-                                           io::field("reason", &guard_answer::reason));
+  GODWIT_FIELDS(guard_answer, "failsafe.guard_answer", taken, reason);
 };
 
 // The next change into one of these modes is ours: it was commanded. Said before the command goes out. A mode that
@@ -77,9 +68,7 @@ struct expect_mode {
   std::int64_t lasts_ms = 0;
   bool is_withdrawn = false; // the command was not sent: they are expected no more
 
-  static constexpr auto fields =
-      io::table("failsafe.expect_mode", io::field("modes", &expect_mode::modes),
-                io::field("lasts_ms", &expect_mode::lasts_ms), io::field("is_withdrawn", &expect_mode::is_withdrawn));
+  GODWIT_FIELDS(expect_mode, "failsafe.expect_mode", modes, lasts_ms, is_withdrawn);
 };
 
 // The executor has seen that a pilot took the vehicle.
@@ -92,14 +81,13 @@ struct taken_over {
 struct command_pending {
   std::int64_t lasts_ms = 0;
 
-  static constexpr auto fields =
-      io::table("failsafe.command_pending", io::field("lasts_ms", &command_pending::lasts_ms));
+  GODWIT_FIELDS(command_pending, "failsafe.command_pending", lasts_ms);
 };
 
 struct following {
   bool on = false; // an object is followed
 
-  static constexpr auto fields = io::table("failsafe.following", io::field("on", &following::on));
+  GODWIT_FIELDS(following, "failsafe.following", on);
 };
 
 // -- from an operator, through whoever has checked that it is one -----------------------------------
@@ -111,17 +99,14 @@ struct override_rule {
   std::string reason;
   std::int64_t until_ns = 0; // wall clock
 
-  static constexpr auto fields =
-      io::table("failsafe.override_rule", io::field("scope", &override_rule::scope),
-                io::field("reason", &override_rule::reason), io::field("until_ns", &override_rule::until_ns));
+  GODWIT_FIELDS(override_rule, "failsafe.override_rule", scope, reason, until_ns);
 };
 
 struct override_answer {
   bool taken = false;
   std::string reason; // sentence for people; empty when taken
 
-  static constexpr auto fields = io::table("failsafe.override_answer", io::field("taken", &override_answer::taken),
-                                           io::field("reason", &override_answer::reason));
+  GODWIT_FIELDS(override_answer, "failsafe.override_answer", taken, reason);
 };
 
 // The vehicle goes back to the mission: after a takeover, or after a failsafe that has done its work. All latches fall,
@@ -136,9 +121,7 @@ struct return_taken {
   bool is_taken = false;
   std::string reason; // sentence for people; empty when taken
 
-  static constexpr auto fields =
-      io::table("failsafe.return_taken", io::field("number", &return_taken::number),
-                io::field("is_taken", &return_taken::is_taken), io::field("reason", &return_taken::reason));
+  GODWIT_FIELDS(return_taken, "failsafe.return_taken", number, is_taken, reason);
 };
 
 // -- what the failsafe says ------------------------------------------------------------------------
@@ -149,19 +132,14 @@ enum class reaction_stage {
   done       // the vehicle does it
 };
 
-constexpr auto enum_names(reaction_stage) {
-  return io::names<reaction_stage>(
-      {{reaction_stage::under_way, "under_way"}, {reaction_stage::failing, "failing"}, {reaction_stage::done, "done"}});
-}
+GODWIT_ENUM_NAMES(reaction_stage, under_way, failing, done);
 
 struct told_reaction {
   rule why = rule::operator_link; // the highest that wants it
   action what = action::return_home;
   reaction_stage stage = reaction_stage::under_way;
 
-  static constexpr auto fields =
-      io::table("failsafe.told_reaction", io::field("why", &told_reaction::why),
-                io::field("what", &told_reaction::what), io::field("stage", &told_reaction::stage));
+  GODWIT_FIELDS(told_reaction, "failsafe.told_reaction", why, what, stage);
   friend bool operator==(const told_reaction&, const told_reaction&) = default;
 };
 
@@ -170,9 +148,7 @@ struct standing_override {
   std::string reason;
   std::int64_t until_ns = 0; // wall clock
 
-  static constexpr auto fields =
-      io::table("failsafe.standing_override", io::field("scope", &standing_override::scope),
-                io::field("reason", &standing_override::reason), io::field("until_ns", &standing_override::until_ns));
+  GODWIT_FIELDS(standing_override, "failsafe.standing_override", scope, reason, until_ns);
   friend bool operator==(const standing_override&, const standing_override&) = default;
 };
 
@@ -182,8 +158,7 @@ struct asked_return {
   std::uint64_t number = 0; // another one for each
   rule why = rule::operator_link;
 
-  static constexpr auto fields = io::table("failsafe.asked_return", io::field("number", &asked_return::number),
-                                           io::field("why", &asked_return::why));
+  GODWIT_FIELDS(asked_return, "failsafe.asked_return", number, why);
   friend bool operator==(const asked_return&, const asked_return&) = default;
 };
 
@@ -199,12 +174,8 @@ struct failsafe_status {
   std::uint64_t last_command = 0;                // to the vehicle; each has the next number
   std::optional<asked_return> return_asked = {}; // the executor has not answered it
 
-  static constexpr auto fields =
-      io::table("failsafe.stance", io::field("in_flight", &failsafe_status::in_flight),
-                io::field("taken_over", &failsafe_status::taken_over), io::field("reacts", &failsafe_status::reacts),
-                io::field("latched", &failsafe_status::latched), io::field("overridden", &failsafe_status::overridden),
-                io::field("last_command", &failsafe_status::last_command),
-                io::field("return_asked", &failsafe_status::return_asked));
+  GODWIT_FIELDS(failsafe_status, "failsafe.stance", in_flight, taken_over, reacts, latched, overridden, last_command,
+                return_asked);
   friend bool operator==(const failsafe_status&, const failsafe_status&) = default;
 };
 
@@ -217,7 +188,7 @@ struct get_failsafe_status {
 // One that was overtaken by a crash has an old number.
 struct tick {
   std::uint64_t number = 0;
-  static constexpr auto fields = io::table("failsafe.tick", io::field("number", &tick::number));
+  GODWIT_FIELDS(tick, "failsafe.tick", number);
 };
 
 } // namespace godwit::failsafe

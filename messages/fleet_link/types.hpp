@@ -16,31 +16,27 @@ using broker_failure = io::mqtt::failure;
 struct broker_opened {
   std::uint64_t attempt = 0;
   std::uint32_t max_packet_bytes = 1024 * 1024; // of a message with its topic: what the broker takes
-  static constexpr auto fields = io::table("fleet_link.broker_opened", io::field("attempt", &broker_opened::attempt),
-                                           io::field("max_packet_bytes", &broker_opened::max_packet_bytes));
+  GODWIT_FIELDS(broker_opened, "fleet_link.broker_opened", attempt, max_packet_bytes);
 };
 
 struct broker_closed {
   std::uint64_t attempt = 0;
   broker_failure why = broker_failure::lost;
   std::string sentence;
-  static constexpr auto fields =
-      io::table("fleet_link.broker_closed", io::field("attempt", &broker_closed::attempt),
-                io::field("why", &broker_closed::why), io::field("sentence", &broker_closed::sentence));
+  GODWIT_FIELDS(broker_closed, "fleet_link.broker_closed", attempt, why, sentence);
 };
 
 // The broker has the event of this number.
 struct event_taken {
   std::uint64_t attempt = 0;
   std::uint64_t number = 0;
-  static constexpr auto fields = io::table("fleet_link.event_taken", io::field("attempt", &event_taken::attempt),
-                                           io::field("number", &event_taken::number));
+  GODWIT_FIELDS(event_taken, "fleet_link.event_taken", attempt, number);
 };
 
 // One more of what is not acknowledged has left for the network.
 struct text_left {
   std::uint64_t attempt = 0;
-  static constexpr auto fields = io::table("fleet_link.text_left", io::field("attempt", &text_left::attempt));
+  GODWIT_FIELDS(text_left, "fleet_link.text_left", attempt);
 };
 
 // -- for people
@@ -64,14 +60,8 @@ struct fleet_view {
   std::uint64_t texts = 0;     // of what is live
   std::uint64_t skipped = 0;   // of it: the network was too slow, and a newer one went out instead
   std::uint64_t too_large = 0; // for the broker: of what is live, not sent; of events, sent without data
-  static constexpr auto fields =
-      io::table("fleet_link.fleet_view", io::field("is_connected", &fleet_view::is_connected),
-                io::field("broker", &fleet_view::broker), io::field("vehicle", &fleet_view::vehicle),
-                io::field("sentence", &fleet_view::sentence), io::field("next_try_ms", &fleet_view::next_try_ms),
-                io::field("waiting", &fleet_view::waiting), io::field("delivered", &fleet_view::delivered),
-                io::field("dropped", &fleet_view::dropped), io::field("connects", &fleet_view::connects),
-                io::field("failures", &fleet_view::failures), io::field("texts", &fleet_view::texts),
-                io::field("skipped", &fleet_view::skipped), io::field("too_large", &fleet_view::too_large));
+  GODWIT_FIELDS(fleet_view, "fleet_link.fleet_view", is_connected, broker, vehicle, sentence, next_try_ms, waiting,
+                delivered, dropped, connects, failures, texts, skipped, too_large);
 };
 
 } // namespace godwit::fleet_link

@@ -22,23 +22,13 @@ enum class mode_kind {
   landing
 };
 
-constexpr auto enum_names(mode_kind) {
-  return io::names<mode_kind>({{mode_kind::unknown, "unknown"},
-                               {mode_kind::manual, "manual"},
-                               {mode_kind::hold, "hold"},
-                               {mode_kind::guided, "guided"},
-                               {mode_kind::mission, "mission"},
-                               {mode_kind::take_off, "take_off"},
-                               {mode_kind::returning, "returning"},
-                               {mode_kind::landing, "landing"}});
-}
+GODWIT_ENUM_NAMES(mode_kind, unknown, manual, hold, guided, mission, take_off, returning, landing);
 
 struct flight_mode {
   mode_kind kind = mode_kind::unknown;
   std::uint32_t custom_mode = 0; // HEARTBEAT.custom_mode
 
-  static constexpr auto fields = io::table("flight.flight_mode", io::field("kind", &flight_mode::kind),
-                                           io::field("custom_mode", &flight_mode::custom_mode));
+  GODWIT_FIELDS(flight_mode, "flight.flight_mode", kind, custom_mode);
   friend bool operator==(const flight_mode&, const flight_mode&) = default;
 };
 

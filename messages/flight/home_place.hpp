@@ -11,9 +11,7 @@ struct home_place {
   double longitude = 0;
   double above_sea_m = 0;
 
-  static constexpr auto fields =
-      io::table("flight.home_place", io::field("latitude", &home_place::latitude),
-                io::field("longitude", &home_place::longitude), io::field("above_sea_m", &home_place::above_sea_m));
+  GODWIT_FIELDS(home_place, "flight.home_place", latitude, longitude, above_sea_m);
   friend bool operator==(const home_place&, const home_place&) = default;
 };
 

@@ -14,9 +14,7 @@ struct plan_end {
   bool as_it_begins = false;        // the mode changes as that item begins; else when the mission is complete
   std::vector<std::uint32_t> modes; // empty: the plan leaves the mode as it is
 
-  static constexpr auto fields =
-      io::table("flight.plan_end", io::field("from_sequence", &plan_end::from_sequence),
-                io::field("as_it_begins", &plan_end::as_it_begins), io::field("modes", &plan_end::modes));
+  GODWIT_FIELDS(plan_end, "flight.plan_end", from_sequence, as_it_begins, modes);
   friend bool operator==(const plan_end&, const plan_end&) = default;
 };
 

@@ -9,12 +9,7 @@ namespace godwit::flight {
 
 enum class vehicle_class { unknown, multirotor, fixed_wing, rover };
 
-constexpr auto enum_names(vehicle_class) {
-  return io::names<vehicle_class>({{vehicle_class::unknown, "unknown"},
-                                   {vehicle_class::multirotor, "multirotor"},
-                                   {vehicle_class::fixed_wing, "fixed_wing"},
-                                   {vehicle_class::rover, "rover"}});
-}
+GODWIT_ENUM_NAMES(vehicle_class, unknown, multirotor, fixed_wing, rover);
 
 // A vertical take-off aeroplane counts as an aeroplane: it comes home on its wings. A number that has no name here is
 // possible, because the type comes from the air; it is unknown.

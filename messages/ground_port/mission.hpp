@@ -22,10 +22,7 @@ struct mission_progress {
   io::mavlink::mission_state state = io::mavlink::mission_state::not_started;
   io::mavlink::mission_mode mode = io::mavlink::mission_mode::unknown;
   bool is_sent_elsewhere = false; // by a go to: the mission waits
-  static constexpr auto fields = io::table(
-      "ground_port.mission_progress", io::field("plan_id", &mission_progress::plan_id),
-      io::field("current", &mission_progress::current), io::field("state", &mission_progress::state),
-      io::field("mode", &mission_progress::mode), io::field("is_sent_elsewhere", &mission_progress::is_sent_elsewhere));
+  GODWIT_FIELDS(mission_progress, "ground_port.mission_progress", plan_id, current, state, mode, is_sent_elsewhere);
 };
 
 // Becomes MISSION_ITEM_REACHED, once for each. A crash repeats it: then the port tells what it has not told yet, and
@@ -35,24 +32,20 @@ struct item_reached {
   std::string mission_id = {};
   std::uint32_t report_no = 0; // in the mission
   bool is_repeated = false;    // an earlier incarnation may have told it
-  static constexpr auto fields =
-      io::table("ground_port.item_reached", io::field("sequence", &item_reached::sequence),
-                io::field("mission_id", &item_reached::mission_id), io::field("report_no", &item_reached::report_no),
-                io::field("is_repeated", &item_reached::is_repeated));
+  GODWIT_FIELDS(item_reached, "ground_port.item_reached", sequence, mission_id, report_no, is_repeated);
 };
 
 // Becomes STATUSTEXT, in several frames when it is longer than 50 characters.
 struct status_text {
   io::mavlink::mav_severity severity = io::mavlink::mav_severity::info;
   std::string text;
-  static constexpr auto fields = io::table("ground_port.status_text", io::field("severity", &status_text::severity),
-                                           io::field("text", &status_text::text));
+  GODWIT_FIELDS(status_text, "ground_port.status_text", severity, text);
 };
 
 // The mission is another one now, and no station has sent it. Stations that download get this one. No items: none.
 struct set_mission {
   std::vector<io::mavlink::mission_item_int> items;
-  static constexpr auto fields = io::table("ground_port.set_mission", io::field("items", &set_mission::items));
+  GODWIT_FIELDS(set_mission, "ground_port.set_mission", items);
 };
 
 } // namespace godwit::ground_port

@@ -17,9 +17,7 @@ struct operator_link {
   bool ever_heard = false;
   std::int64_t age_ms = -1;   // since the last heartbeat of any station; -1: never heard
   std::uint32_t stations = 0; // heard within the last 5 s
-  static constexpr auto fields =
-      io::table("ground_port.operator_link", io::field("ever_heard", &operator_link::ever_heard),
-                io::field("age_ms", &operator_link::age_ms), io::field("stations", &operator_link::stations));
+  GODWIT_FIELDS(operator_link, "ground_port.operator_link", ever_heard, age_ms, stations);
 };
 
 } // namespace godwit::ground_port

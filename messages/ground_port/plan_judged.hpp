@@ -16,13 +16,7 @@ enum class plan_verdict {
   bringing  // it goes to the vehicle now, and another word follows
 };
 
-constexpr auto enum_names(plan_verdict) {
-  return io::names<plan_verdict>({{plan_verdict::taken, "taken"},
-                                  {plan_verdict::refused, "refused"},
-                                  {plan_verdict::no_space, "no_space"},
-                                  {plan_verdict::failed, "failed"},
-                                  {plan_verdict::bringing, "bringing"}});
-}
+GODWIT_ENUM_NAMES(plan_verdict, taken, refused, no_space, failed, bringing);
 
 // The answer to plan_taken and plan_cleared, which are told and not asked: the station hears it as the answer to its
 // upload or clear. Why it is not taken is said as a status_text.
@@ -30,9 +24,7 @@ struct plan_judged {
   io::mavlink::mav_mission_type type = io::mavlink::mav_mission_type::mission;
   std::uint32_t plan_id = 0; // 0: of a clear
   plan_verdict verdict = plan_verdict::refused;
-  static constexpr auto fields =
-      io::table("ground_port.plan_judged", io::field("type", &plan_judged::type),
-                io::field("plan_id", &plan_judged::plan_id), io::field("verdict", &plan_judged::verdict));
+  GODWIT_FIELDS(plan_judged, "ground_port.plan_judged", type, plan_id, verdict);
 };
 
 } // namespace godwit::ground_port

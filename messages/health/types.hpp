@@ -15,18 +15,14 @@ enum class colour {
   red     // something that is wanted does not work
 };
 
-constexpr auto enum_names(colour) {
-  return io::names<colour>({{colour::green, "green"}, {colour::yellow, "yellow"}, {colour::red, "red"}});
-}
+GODWIT_ENUM_NAMES(colour, green, yellow, red);
 
 struct part_health {
   std::string part; // an actor, or another part of the program such as the journal
   colour health = colour::green;
   std::string reason;        // sentence for people; may be empty when all is well
   std::int64_t since_ms = 0; // since 1970 (UTC): when it took this colour, as far as this incarnation has seen
-  static constexpr auto fields =
-      io::table("health.part", io::field("part", &part_health::part), io::field("health", &part_health::health),
-                io::field("reason", &part_health::reason), io::field("since_ms", &part_health::since_ms));
+  GODWIT_FIELDS(part_health, "health.part", part, health, reason, since_ms);
   friend bool operator==(const part_health&, const part_health&) = default;
 };
 
@@ -35,9 +31,7 @@ struct health_status {
   colour worst = colour::green;
   std::int64_t since_ms = 0;      // since the worst of all has this colour
   std::vector<part_health> parts; // the worst first, then by name; a part of which nothing was heard is not there
-  static constexpr auto fields =
-      io::table("health.status", io::field("worst", &health_status::worst),
-                io::field("since_ms", &health_status::since_ms), io::field("parts", &health_status::parts));
+  GODWIT_FIELDS(health_status, "health.status", worst, since_ms, parts);
   friend bool operator==(const health_status&, const health_status&) = default;
 };
 

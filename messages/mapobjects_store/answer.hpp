@@ -17,21 +17,13 @@ enum class map_failure {
   broken,        // the map's file is damaged or closed: a person has to look
 };
 
-constexpr auto enum_names(map_failure) {
-  return io::names<map_failure>({{map_failure::none, "none"},
-                                 {map_failure::refused, "refused"},
-                                 {map_failure::load_given_up, "load_given_up"},
-                                 {map_failure::delivered, "delivered"},
-                                 {map_failure::busy, "busy"},
-                                 {map_failure::broken, "broken"}});
-}
+GODWIT_ENUM_NAMES(map_failure, none, refused, load_given_up, delivered, busy, broken);
 
 // To whatever has nothing else to tell.
 struct map_answer {
   map_failure failure = map_failure::none;
   std::string error; // for people; empty = done
-  static constexpr auto fields = io::table("mapobjects_store.map_answer", io::field("failure", &map_answer::failure),
-                                           io::field("error", &map_answer::error));
+  GODWIT_FIELDS(map_answer, "mapobjects_store.map_answer", failure, error);
 };
 
 } // namespace godwit::mapobjects_store

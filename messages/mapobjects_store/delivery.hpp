@@ -18,10 +18,7 @@ namespace godwit::mapobjects_store {
 // Each has an endpoint, and so a queue, of its own.
 enum class destination { observations, ignored_items };
 
-constexpr auto enum_names(destination) {
-  return io::names<destination>(
-      {{destination::observations, "observations"}, {destination::ignored_items, "ignored_items"}});
-}
+GODWIT_ENUM_NAMES(destination, observations, ignored_items);
 
 // Of a row.
 //
@@ -35,12 +32,7 @@ constexpr auto enum_names(destination) {
 //        (without a batch), return_batch
 enum class delivery_state { pending, taken, delivered, orphaned };
 
-constexpr auto enum_names(delivery_state) {
-  return io::names<delivery_state>({{delivery_state::pending, "pending"},
-                                    {delivery_state::taken, "taken"},
-                                    {delivery_state::delivered, "delivered"},
-                                    {delivery_state::orphaned, "orphaned"}});
-}
+GODWIT_ENUM_NAMES(delivery_state, pending, taken, delivered, orphaned);
 
 // Answered with a batch. A key that is not known yet takes the oldest pending rows of the mission; where there are none
 // the batch is empty and the key stays unknown. Busy: max_open_batches are taken.
@@ -49,9 +41,7 @@ struct take_batch {
   std::string mission_id;
   destination to = destination::observations;
   std::uint32_t limit = 0; // of a new batch, at most 1000; a known one is given whole
-  static constexpr auto fields = io::table("mapobjects_store.take_batch", io::field("key", &take_batch::key),
-                                           io::field("mission_id", &take_batch::mission_id),
-                                           io::field("to", &take_batch::to), io::field("limit", &take_batch::limit));
+  GODWIT_FIELDS(take_batch, "mapobjects_store.take_batch", key, mission_id, to, limit);
 };
 
 struct batch {
@@ -63,11 +53,8 @@ struct batch {
   std::uint64_t pending_left = 0; // of this mission and destination, after this batch
   map_failure failure = map_failure::none;
   std::string error;
-  static constexpr auto fields =
-      io::table("mapobjects_store.batch", io::field("key", &batch::key), io::field("mission_id", &batch::mission_id),
-                io::field("to", &batch::to), io::field("observations", &batch::observations),
-                io::field("ignored_items", &batch::ignored_items), io::field("pending_left", &batch::pending_left),
-                io::field("failure", &batch::failure), io::field("error", &batch::error));
+  GODWIT_FIELDS(batch, "mapobjects_store.batch", key, mission_id, to, observations, ignored_items, pending_left,
+                failure, error);
 };
 
 // Answered with open_batches: what was taken and not delivered, by whichever asker.
@@ -81,26 +68,21 @@ struct open_batch {
   destination to = destination::observations;
   std::uint64_t rows = 0;
   bool orphaned = false; // the mission is gone; the batch is delivered only when a person says so
-  static constexpr auto fields =
-      io::table("mapobjects_store.open_batch", io::field("key", &open_batch::key),
-                io::field("mission_id", &open_batch::mission_id), io::field("to", &open_batch::to),
-                io::field("rows", &open_batch::rows), io::field("orphaned", &open_batch::orphaned));
+  GODWIT_FIELDS(open_batch, "mapobjects_store.open_batch", key, mission_id, to, rows, orphaned);
 };
 
 struct open_batches {
   std::vector<open_batch> batches; // oldest first
   map_failure failure = map_failure::none;
   std::string error;
-  static constexpr auto fields =
-      io::table("mapobjects_store.open_batches", io::field("batches", &open_batches::batches),
-                io::field("failure", &open_batches::failure), io::field("error", &open_batches::error));
+  GODWIT_FIELDS(open_batches, "mapobjects_store.open_batches", batches, failure, error);
 };
 
 // Answered with map_answer. The rows of the batch leave the queue, and the orphans too. A key that is not known (any
 // more) is a repetition.
 struct batch_delivered {
   std::string key;
-  static constexpr auto fields = io::table("mapobjects_store.batch_delivered", io::field("key", &batch_delivered::key));
+  GODWIT_FIELDS(batch_delivered, "mapobjects_store.batch_delivered", key);
 };
 
 // Answered with map_answer. The service will not have the batch under this key: its rows are pending again, orphans
@@ -108,7 +90,7 @@ struct batch_delivered {
 // more) is a repetition.
 struct return_batch {
   std::string key;
-  static constexpr auto fields = io::table("mapobjects_store.return_batch", io::field("key", &return_batch::key));
+  GODWIT_FIELDS(return_batch, "mapobjects_store.return_batch", key);
 };
 
 // Answered with owed_list.
@@ -123,18 +105,14 @@ struct owed {
   std::uint64_t pending = 0;
   std::uint64_t taken = 0;
   std::uint64_t orphaned = 0;
-  static constexpr auto fields = io::table("mapobjects_store.owed", io::field("mission_id", &owed::mission_id),
-                                           io::field("to", &owed::to), io::field("pending", &owed::pending),
-                                           io::field("taken", &owed::taken), io::field("orphaned", &owed::orphaned));
+  GODWIT_FIELDS(owed, "mapobjects_store.owed", mission_id, to, pending, taken, orphaned);
 };
 
 struct owed_list {
   std::vector<owed> missions; // one for each mission and destination that has something
   map_failure failure = map_failure::none;
   std::string error;
-  static constexpr auto fields =
-      io::table("mapobjects_store.owed_list", io::field("missions", &owed_list::missions),
-                io::field("failure", &owed_list::failure), io::field("error", &owed_list::error));
+  GODWIT_FIELDS(owed_list, "mapobjects_store.owed_list", missions, failure, error);
 };
 
 } // namespace godwit::mapobjects_store

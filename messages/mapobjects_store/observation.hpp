@@ -19,10 +19,7 @@ struct sighting {
   geo_position position;
   std::int64_t at_ns = 0;
   double confidence = 0; // 0..1
-  static constexpr auto fields = io::table(
-      "mapobjects_store.sighting", io::field("id", &sighting::id), io::field("mission_id", &sighting::mission_id),
-      io::field("class_group", &sighting::class_group), io::field("position", &sighting::position),
-      io::field("at_ns", &sighting::at_ns), io::field("confidence", &sighting::confidence));
+  GODWIT_FIELDS(sighting, "mapobjects_store.sighting", id, mission_id, class_group, position, at_ns, confidence);
 };
 
 enum class observation_kind {
@@ -51,20 +48,15 @@ struct observation {
   geo_position position;
   std::int64_t at_ns = 0;
   double confidence = 0;
-  static constexpr auto fields =
-      io::table("mapobjects_store.observation", io::field("id", &observation::id),
-                io::field("mission_id", &observation::mission_id), io::field("object_id", &observation::object_id),
-                io::field("kind", &observation::kind), io::field("class_group", &observation::class_group),
-                io::field("position", &observation::position), io::field("at_ns", &observation::at_ns),
-                io::field("confidence", &observation::confidence));
+  GODWIT_FIELDS(observation, "mapobjects_store.observation", id, mission_id, object_id, kind, class_group, position,
+                at_ns, confidence);
 };
 
 // What a sighting has become.
 struct observed {
   observation what;
   bool shown = false; // a finding for the operator; false while the map is not to be relied on
-  static constexpr auto fields =
-      io::table("mapobjects_store.observed", io::field("what", &observed::what), io::field("shown", &observed::shown));
+  GODWIT_FIELDS(observed, "mapobjects_store.observed", what, shown);
 };
 
 // Given when the observation is on the disk.
@@ -72,9 +64,7 @@ struct sighting_answer {
   std::optional<observed> seen; // nothing when it was not taken
   map_failure failure = map_failure::none;
   std::string error;
-  static constexpr auto fields =
-      io::table("mapobjects_store.sighting_answer", io::field("seen", &sighting_answer::seen),
-                io::field("failure", &sighting_answer::failure), io::field("error", &sighting_answer::error));
+  GODWIT_FIELDS(sighting_answer, "mapobjects_store.sighting_answer", seen, failure, error);
 };
 
 } // namespace godwit::mapobjects_store

@@ -16,10 +16,7 @@ enum class verdict {
   timed_out // nobody looked: says nothing about the thing
 };
 
-constexpr auto enum_names(verdict) {
-  return io::names<verdict>(
-      {{verdict::confirmed, "confirmed"}, {verdict::declined, "declined"}, {verdict::timed_out, "timed_out"}});
-}
+GODWIT_ENUM_NAMES(verdict, confirmed, declined, timed_out);
 
 // Answered with verdict_answer. Said again with the same id, it counts once.
 struct operator_verdict {
@@ -29,20 +26,15 @@ struct operator_verdict {
   geo_position position; // of what was shown
   verdict said = verdict::timed_out;
   std::int64_t at_ns = 0;
-  static constexpr auto fields = io::table(
-      "mapobjects_store.operator_verdict", io::field("id", &operator_verdict::id),
-      io::field("mission_id", &operator_verdict::mission_id), io::field("class_group", &operator_verdict::class_group),
-      io::field("position", &operator_verdict::position), io::field("said", &operator_verdict::said),
-      io::field("at_ns", &operator_verdict::at_ns));
+  GODWIT_FIELDS(operator_verdict, "mapobjects_store.operator_verdict", id, mission_id, class_group, position, said,
+                at_ns);
 };
 
 struct verdict_answer {
   std::optional<ignored_item> ignored; // what a decline has put on the ignore list
   map_failure failure = map_failure::none;
   std::string error;
-  static constexpr auto fields =
-      io::table("mapobjects_store.verdict_answer", io::field("ignored", &verdict_answer::ignored),
-                io::field("failure", &verdict_answer::failure), io::field("error", &verdict_answer::error));
+  GODWIT_FIELDS(verdict_answer, "mapobjects_store.verdict_answer", ignored, failure, error);
 };
 
 } // namespace godwit::mapobjects_store

@@ -13,23 +13,20 @@ namespace godwit::mapobjects_store {
 // changes: after a crash in flight nothing can be pulled.
 struct choose_mission {
   std::string mission_id;
-  static constexpr auto fields =
-      io::table("mapobjects_store.choose_mission", io::field("mission_id", &choose_mission::mission_id));
+  GODWIT_FIELDS(choose_mission, "mapobjects_store.choose_mission", mission_id);
 };
 
 // Answered with map_answer. A load that was under way is given up. Refused for a mission that is not the chosen one.
 struct pull_failed {
   std::string mission_id;
-  static constexpr auto fields =
-      io::table("mapobjects_store.pull_failed", io::field("mission_id", &pull_failed::mission_id));
+  GODWIT_FIELDS(pull_failed, "mapobjects_store.pull_failed", mission_id);
 };
 
 // Answered with map_answer. The operator goes on with the copy from the last time. Refused for a mission that is not
 // the chosen one, or when the map is not degraded (and not acknowledged already).
 struct acknowledge_fallback {
   std::string mission_id;
-  static constexpr auto fields =
-      io::table("mapobjects_store.acknowledge_fallback", io::field("mission_id", &acknowledge_fallback::mission_id));
+  GODWIT_FIELDS(acknowledge_fallback, "mapobjects_store.acknowledge_fallback", mission_id);
 };
 
 // Answered with moved_rows: how many became orphans now. The service has deleted the mission: its map is gone, what
@@ -38,9 +35,7 @@ struct delete_mission {
   std::string mission_id;
   std::int64_t at_ns = 0;
   std::string reason; // for people
-  static constexpr auto fields =
-      io::table("mapobjects_store.delete_mission", io::field("mission_id", &delete_mission::mission_id),
-                io::field("at_ns", &delete_mission::at_ns), io::field("reason", &delete_mission::reason));
+  GODWIT_FIELDS(delete_mission, "mapobjects_store.delete_mission", mission_id, at_ns, reason);
 };
 
 // Answered with moved_rows. What is owed for the mission is kept aside; the map stays.
@@ -48,26 +43,21 @@ struct orphan_mission {
   std::string mission_id;
   std::int64_t at_ns = 0;
   std::string reason; // for people
-  static constexpr auto fields =
-      io::table("mapobjects_store.orphan_mission", io::field("mission_id", &orphan_mission::mission_id),
-                io::field("at_ns", &orphan_mission::at_ns), io::field("reason", &orphan_mission::reason));
+  GODWIT_FIELDS(orphan_mission, "mapobjects_store.orphan_mission", mission_id, at_ns, reason);
 };
 
 // Answered with moved_rows. By a person's will: orphans that are in no batch are pending again. Those in a batch are
 // delivered under its key (see get_batches).
 struct requeue_mission {
   std::string mission_id; // empty = all missions
-  static constexpr auto fields =
-      io::table("mapobjects_store.requeue_mission", io::field("mission_id", &requeue_mission::mission_id));
+  GODWIT_FIELDS(requeue_mission, "mapobjects_store.requeue_mission", mission_id);
 };
 
 struct moved_rows {
   std::uint64_t rows = 0;
   map_failure failure = map_failure::none;
   std::string error;
-  static constexpr auto fields =
-      io::table("mapobjects_store.moved_rows", io::field("rows", &moved_rows::rows),
-                io::field("failure", &moved_rows::failure), io::field("error", &moved_rows::error));
+  GODWIT_FIELDS(moved_rows, "mapobjects_store.moved_rows", rows, failure, error);
 };
 
 } // namespace godwit::mapobjects_store

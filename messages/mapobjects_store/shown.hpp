@@ -22,18 +22,14 @@ struct map_part {
   double south_deg = -90;
   double east_deg = 180;
   double north_deg = 90;
-  static constexpr auto fields =
-      io::table("mapobjects_store.map_part", io::field("west_deg", &map_part::west_deg),
-                io::field("south_deg", &map_part::south_deg), io::field("east_deg", &map_part::east_deg),
-                io::field("north_deg", &map_part::north_deg));
+  GODWIT_FIELDS(map_part, "mapobjects_store.map_part", west_deg, south_deg, east_deg, north_deg);
 };
 
 // Answered with shown_objects.
 struct get_objects {
   map_part within;
   std::uint32_t limit = max_shown_objects; // more is as much
-  static constexpr auto fields = io::table("mapobjects_store.get_objects", io::field("within", &get_objects::within),
-                                           io::field("limit", &get_objects::limit));
+  GODWIT_FIELDS(get_objects, "mapobjects_store.get_objects", within, limit);
 };
 
 struct shown_object {
@@ -42,10 +38,8 @@ struct shown_object {
   std::int64_t last_seen_ns = 0;
   double confidence = 0;     // 0..1
   bool is_seen_here = false; // found or moved by this vehicle, and not in the map that was pulled
-  static constexpr auto fields = io::table(
-      "mapobjects_store.shown_object", io::field("class_group", &shown_object::class_group),
-      io::field("position", &shown_object::position), io::field("last_seen_ns", &shown_object::last_seen_ns),
-      io::field("confidence", &shown_object::confidence), io::field("is_seen_here", &shown_object::is_seen_here));
+  GODWIT_FIELDS(shown_object, "mapobjects_store.shown_object", class_group, position, last_seen_ns, confidence,
+                is_seen_here);
 };
 
 struct shown_objects {
@@ -54,10 +48,7 @@ struct shown_objects {
   bool is_all = true;             // false: there are more, which nobody has looked at
   map_failure failure = map_failure::none;
   std::string error;
-  static constexpr auto fields =
-      io::table("mapobjects_store.shown_objects", io::field("list", &shown_objects::list),
-                io::field("counted", &shown_objects::counted), io::field("is_all", &shown_objects::is_all),
-                io::field("failure", &shown_objects::failure), io::field("error", &shown_objects::error));
+  GODWIT_FIELDS(shown_objects, "mapobjects_store.shown_objects", list, counted, is_all, failure, error);
 };
 
 } // namespace godwit::mapobjects_store

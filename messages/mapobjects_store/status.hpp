@@ -28,14 +28,8 @@ struct map_status {
   std::uint64_t orphaned = 0;
   map_failure failure = map_failure::none;
   std::string error;
-  static constexpr auto fields =
-      io::table("mapobjects_store.map_status", io::field("mission_id", &map_status::mission_id),
-                io::field("sync", &map_status::sync), io::field("pulled_mission_id", &map_status::pulled_mission_id),
-                io::field("pulled_ns", &map_status::pulled_ns), io::field("objects", &map_status::objects),
-                io::field("ignored_items", &map_status::ignored_items), io::field("seen_here", &map_status::seen_here),
-                io::field("loading", &map_status::loading), io::field("pending", &map_status::pending),
-                io::field("taken", &map_status::taken), io::field("orphaned", &map_status::orphaned),
-                io::field("failure", &map_status::failure), io::field("error", &map_status::error));
+  GODWIT_FIELDS(map_status, "mapobjects_store.map_status", mission_id, sync, pulled_mission_id, pulled_ns, objects,
+                ignored_items, seen_here, loading, pending, taken, orphaned, failure, error);
 };
 
 } // namespace godwit::mapobjects_store

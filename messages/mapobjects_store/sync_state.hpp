@@ -13,13 +13,7 @@ namespace godwit::mapobjects_store {
 //     └── another mission is chosen, or this one is deleted: from every state
 enum class sync_state { fresh_boot, synced, cached_fallback, degraded, failed };
 
-constexpr auto enum_names(sync_state) {
-  return io::names<sync_state>({{sync_state::fresh_boot, "fresh_boot"},
-                                {sync_state::synced, "synced"},
-                                {sync_state::cached_fallback, "cached_fallback"},
-                                {sync_state::degraded, "degraded"},
-                                {sync_state::failed, "failed"}});
-}
+GODWIT_ENUM_NAMES(sync_state, fresh_boot, synced, cached_fallback, degraded, failed);
 
 enum class sync_event { mission_chosen, pull_finished, pull_failed, fallback_acknowledged, mission_deleted };
 

@@ -15,7 +15,7 @@ struct wake {
 // Time to look at how the map is.
 struct look {
   std::uint64_t incarnation = 0; // that wanted it; those before have no time to keep any more
-  static constexpr auto fields = io::table("mapobjects_store.look", io::field("incarnation", &look::incarnation));
+  GODWIT_FIELDS(look, "mapobjects_store.look", incarnation);
 };
 
 } // namespace godwit::mapobjects_store

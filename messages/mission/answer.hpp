@@ -16,8 +16,7 @@ struct receipt {
   std::uint32_t stored = 0;   // rows that were not there before
   std::uint32_t repeated = 0; // rows that were there already
 
-  static constexpr auto fields =
-      io::table("mission.receipt", io::field("stored", &receipt::stored), io::field("repeated", &receipt::repeated));
+  GODWIT_FIELDS(receipt, "mission.receipt", stored, repeated);
   friend bool operator==(const receipt&, const receipt&) = default;
 };
 
@@ -26,9 +25,7 @@ struct progress_status {
   std::uint32_t last_report_no = 0;             // 0: there is no report of it
   std::optional<progress_report> last_report{}; // that one; absent: there is none, or the service does not give it back
 
-  static constexpr auto fields =
-      io::table("mission.progress_status", io::field("last_report_no", &progress_status::last_report_no),
-                io::field("last_report", &progress_status::last_report));
+  GODWIT_FIELDS(progress_status, "mission.progress_status", last_report_no, last_report);
   friend bool operator==(const progress_status&, const progress_status&) = default;
 };
 
@@ -36,8 +33,7 @@ struct wrong_place {
   std::string pointer; // JSON pointer (RFC 6901) into the body that was sent
   std::string detail;
 
-  static constexpr auto fields = io::table("mission.wrong_place", io::field("pointer", &wrong_place::pointer),
-                                           io::field("detail", &wrong_place::detail));
+  GODWIT_FIELDS(wrong_place, "mission.wrong_place", pointer, detail);
   friend bool operator==(const wrong_place&, const wrong_place&) = default;
 };
 
@@ -49,10 +45,7 @@ struct problem {
   std::optional<std::string> instance;
   std::vector<wrong_place> errors;
 
-  static constexpr auto fields =
-      io::table("mission.problem", io::field("type", &problem::type), io::field("title", &problem::title),
-                io::field("status", &problem::status), io::field("detail", &problem::detail),
-                io::field("instance", &problem::instance), io::field("errors", &problem::errors));
+  GODWIT_FIELDS(problem, "mission.problem", type, title, status, detail, instance, errors);
   friend bool operator==(const problem&, const problem&) = default;
 };
 

@@ -34,9 +34,7 @@ struct fence_circle {
   double longitude = 0;
   double radius_m = 0;
 
-  static constexpr auto fields =
-      io::table("mission.fence_circle", io::field("latitude", &fence_circle::latitude),
-                io::field("longitude", &fence_circle::longitude), io::field("radius_m", &fence_circle::radius_m));
+  GODWIT_FIELDS(fence_circle, "mission.fence_circle", latitude, longitude, radius_m);
   friend bool operator==(const fence_circle&, const fence_circle&) = default;
 };
 
@@ -47,10 +45,7 @@ struct geofence {
   std::optional<double> ceiling_m;
   std::optional<fence_circle> circle{}; // what goes to the vehicle; of version 2
 
-  static constexpr auto fields =
-      io::table("mission.geofence", io::field("kind", &geofence::kind), io::field("vertices", &geofence::vertices),
-                io::field("floor_m", &geofence::floor_m), io::field("ceiling_m", &geofence::ceiling_m),
-                io::field("circle", &geofence::circle));
+  GODWIT_FIELDS(geofence, "mission.geofence", kind, vertices, floor_m, ceiling_m, circle);
   friend bool operator==(const geofence&, const geofence&) = default;
 };
 
@@ -60,9 +55,7 @@ struct planned_home {
   double longitude = 0;
   std::optional<double> above_sea_m;
 
-  static constexpr auto fields =
-      io::table("mission.planned_home", io::field("latitude", &planned_home::latitude),
-                io::field("longitude", &planned_home::longitude), io::field("above_sea_m", &planned_home::above_sea_m));
+  GODWIT_FIELDS(planned_home, "mission.planned_home", latitude, longitude, above_sea_m);
   friend bool operator==(const planned_home&, const planned_home&) = default;
 };
 
@@ -78,13 +71,8 @@ struct document {
   std::optional<std::vector<position>> rally_points{}; // never empty
   std::optional<position> breach_return_point{};
 
-  static constexpr auto fields =
-      io::table("mission.document", io::field("mission_id", &document::mission_id),
-                io::field("schema_version", &document::schema_version), io::field("revision", &document::revision),
-                io::field("items", &document::items), io::field("geofences", &document::geofences),
-                io::field("return_point", &document::return_point), io::field("planned_home", &document::planned_home),
-                io::field("rally_points", &document::rally_points),
-                io::field("breach_return_point", &document::breach_return_point));
+  GODWIT_FIELDS(document, "mission.document", mission_id, schema_version, revision, items, geofences, return_point,
+                planned_home, rally_points, breach_return_point);
   friend bool operator==(const document&, const document&) = default;
 };
 

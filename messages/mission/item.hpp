@@ -28,8 +28,7 @@ struct takeoff {
   double altitude_m = 0;
 
   static constexpr std::string_view kind = "takeoff";
-  static constexpr auto fields =
-      io::table("mission.takeoff", io::field("id", &takeoff::id), io::field("altitude_m", &takeoff::altitude_m));
+  GODWIT_FIELDS(takeoff, "mission.takeoff", id, altitude_m);
   friend bool operator==(const takeoff&, const takeoff&) = default;
 };
 
@@ -41,10 +40,7 @@ struct waypoint {
   std::optional<double> speed_mps; // from this leg on, as a change_speed in front of it
 
   static constexpr std::string_view kind = "waypoint";
-  static constexpr auto fields =
-      io::table("mission.waypoint", io::field("id", &waypoint::id), io::field("at", &waypoint::at),
-                io::field("hold_s", &waypoint::hold_s), io::field("accept_radius_m", &waypoint::accept_radius_m),
-                io::field("speed_mps", &waypoint::speed_mps));
+  GODWIT_FIELDS(waypoint, "mission.waypoint", id, at, hold_s, accept_radius_m, speed_mps);
   friend bool operator==(const waypoint&, const waypoint&) = default;
 };
 
@@ -56,9 +52,7 @@ struct loiter {
   double duration_s = 0;
 
   static constexpr std::string_view kind = "loiter";
-  static constexpr auto fields =
-      io::table("mission.loiter", io::field("id", &loiter::id), io::field("at", &loiter::at),
-                io::field("radius_m", &loiter::radius_m), io::field("duration_s", &loiter::duration_s));
+  GODWIT_FIELDS(loiter, "mission.loiter", id, at, radius_m, duration_s);
   friend bool operator==(const loiter&, const loiter&) = default;
 };
 
@@ -68,8 +62,7 @@ struct change_speed {
   double mps = 0;
 
   static constexpr std::string_view kind = "change_speed";
-  static constexpr auto fields =
-      io::table("mission.change_speed", io::field("id", &change_speed::id), io::field("mps", &change_speed::mps));
+  GODWIT_FIELDS(change_speed, "mission.change_speed", id, mps);
   friend bool operator==(const change_speed&, const change_speed&) = default;
 };
 
@@ -82,10 +75,7 @@ struct survey {
   std::optional<double> heading_deg; // of the lines; absent: whoever plans the flight chooses
 
   static constexpr std::string_view kind = "survey";
-  static constexpr auto fields =
-      io::table("mission.survey", io::field("id", &survey::id), io::field("polygon", &survey::polygon),
-                io::field("altitude_m", &survey::altitude_m), io::field("line_spacing_m", &survey::line_spacing_m),
-                io::field("heading_deg", &survey::heading_deg));
+  GODWIT_FIELDS(survey, "mission.survey", id, polygon, altitude_m, line_spacing_m, heading_deg);
   friend bool operator==(const survey&, const survey&) = default;
 };
 
@@ -94,7 +84,7 @@ struct land {
   position at;
 
   static constexpr std::string_view kind = "land";
-  static constexpr auto fields = io::table("mission.land", io::field("id", &land::id), io::field("at", &land::at));
+  GODWIT_FIELDS(land, "mission.land", id, at);
   friend bool operator==(const land&, const land&) = default;
 };
 
@@ -110,8 +100,7 @@ struct return_home {
   std::optional<return_goal> to{}; // absent: the return point of the mission
 
   static constexpr std::string_view kind = "return";
-  static constexpr auto fields =
-      io::table("mission.return", io::field("id", &return_home::id), io::field("to", &return_home::to));
+  GODWIT_FIELDS(return_home, "mission.return", id, to);
   friend bool operator==(const return_home&, const return_home&) = default;
 };
 
@@ -131,10 +120,7 @@ struct command_item {
   bool autocontinue = true;
 
   static constexpr std::string_view kind = "command";
-  static constexpr auto fields =
-      io::table("mission.command", io::field("id", &command_item::id), io::field("command", &command_item::command),
-                io::field("frame", &command_item::frame), io::field("params", &command_item::params),
-                io::field("autocontinue", &command_item::autocontinue));
+  GODWIT_FIELDS(command_item, "mission.command", id, command, frame, params, autocontinue);
   friend bool operator==(const command_item&, const command_item&) = default;
 };
 
@@ -145,8 +131,7 @@ struct jump {
   std::int32_t times = 0; // -1: for ever
 
   static constexpr std::string_view kind = "jump";
-  static constexpr auto fields = io::table("mission.jump", io::field("id", &jump::id), io::field("to", &jump::to),
-                                           io::field("times", &jump::times));
+  GODWIT_FIELDS(jump, "mission.jump", id, to, times);
   friend bool operator==(const jump&, const jump&) = default;
 };
 

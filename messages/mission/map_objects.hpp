@@ -21,12 +21,8 @@ struct map_object {
   std::string first_seen;
   std::string last_seen;
 
-  static constexpr auto fields =
-      io::table("mission.map_object", io::field("object_id", &map_object::object_id),
-                io::field("class_group", &map_object::class_group), io::field("latitude", &map_object::latitude),
-                io::field("longitude", &map_object::longitude), io::field("altitude_m", &map_object::altitude_m),
-                io::field("confidence", &map_object::confidence), io::field("first_seen", &map_object::first_seen),
-                io::field("last_seen", &map_object::last_seen));
+  GODWIT_FIELDS(map_object, "mission.map_object", object_id, class_group, latitude, longitude, altitude_m, confidence,
+                first_seen, last_seen);
   friend bool operator==(const map_object&, const map_object&) = default;
 };
 
@@ -37,10 +33,7 @@ struct ignored_item {
   std::string class_group;
   std::string at; // when it was declined
 
-  static constexpr auto fields =
-      io::table("mission.ignored_item", io::field("ignored_id", &ignored_item::ignored_id),
-                io::field("mgrs_cell", &ignored_item::mgrs_cell), io::field("class_group", &ignored_item::class_group),
-                io::field("at", &ignored_item::at));
+  GODWIT_FIELDS(ignored_item, "mission.ignored_item", ignored_id, mgrs_cell, class_group, at);
   friend bool operator==(const ignored_item&, const ignored_item&) = default;
 };
 
@@ -65,12 +58,8 @@ struct observation {
   double confidence = 0;
   std::string at;
 
-  static constexpr auto fields =
-      io::table("mission.observation", io::field("observation_id", &observation::observation_id),
-                io::field("object_id", &observation::object_id), io::field("kind", &observation::kind),
-                io::field("class_group", &observation::class_group), io::field("latitude", &observation::latitude),
-                io::field("longitude", &observation::longitude), io::field("altitude_m", &observation::altitude_m),
-                io::field("confidence", &observation::confidence), io::field("at", &observation::at));
+  GODWIT_FIELDS(observation, "mission.observation", observation_id, object_id, kind, class_group, latitude, longitude,
+                altitude_m, confidence, at);
   friend bool operator==(const observation&, const observation&) = default;
 };
 
@@ -79,9 +68,7 @@ struct map_object_page {
   std::vector<map_object> map_objects;
   std::optional<std::string> next; // absent on the last page
 
-  static constexpr auto fields =
-      io::table("mission.map_object_page", io::field("schema_version", &map_object_page::schema_version),
-                io::field("map_objects", &map_object_page::map_objects), io::field("next", &map_object_page::next));
+  GODWIT_FIELDS(map_object_page, "mission.map_object_page", schema_version, map_objects, next);
   friend bool operator==(const map_object_page&, const map_object_page&) = default;
 };
 
@@ -90,9 +77,7 @@ struct ignored_item_page {
   std::vector<ignored_item> ignored_items;
   std::optional<std::string> next;
 
-  static constexpr auto fields = io::table(
-      "mission.ignored_item_page", io::field("schema_version", &ignored_item_page::schema_version),
-      io::field("ignored_items", &ignored_item_page::ignored_items), io::field("next", &ignored_item_page::next));
+  GODWIT_FIELDS(ignored_item_page, "mission.ignored_item_page", schema_version, ignored_items, next);
   friend bool operator==(const ignored_item_page&, const ignored_item_page&) = default;
 };
 
@@ -100,9 +85,7 @@ struct observation_batch {
   std::string idempotency_key; // UUID
   std::vector<observation> observations;
 
-  static constexpr auto fields =
-      io::table("mission.observation_batch", io::field("idempotency_key", &observation_batch::idempotency_key),
-                io::field("observations", &observation_batch::observations));
+  GODWIT_FIELDS(observation_batch, "mission.observation_batch", idempotency_key, observations);
   friend bool operator==(const observation_batch&, const observation_batch&) = default;
 };
 
@@ -110,9 +93,7 @@ struct ignored_item_batch {
   std::string idempotency_key;
   std::vector<ignored_item> ignored_items;
 
-  static constexpr auto fields =
-      io::table("mission.ignored_item_batch", io::field("idempotency_key", &ignored_item_batch::idempotency_key),
-                io::field("ignored_items", &ignored_item_batch::ignored_items));
+  GODWIT_FIELDS(ignored_item_batch, "mission.ignored_item_batch", idempotency_key, ignored_items);
   friend bool operator==(const ignored_item_batch&, const ignored_item_batch&) = default;
 };
 
@@ -124,12 +105,8 @@ struct map_object_bundle {
   std::vector<map_object> map_objects;
   std::vector<ignored_item> ignored_items;
 
-  static constexpr auto fields =
-      io::table("mission.map_object_bundle", io::field("schema_version", &map_object_bundle::schema_version),
-                io::field("fetched_at", &map_object_bundle::fetched_at),
-                io::field("fallback_used", &map_object_bundle::fallback_used),
-                io::field("map_objects", &map_object_bundle::map_objects),
-                io::field("ignored_items", &map_object_bundle::ignored_items));
+  GODWIT_FIELDS(map_object_bundle, "mission.map_object_bundle", schema_version, fetched_at, fallback_used, map_objects,
+                ignored_items);
   friend bool operator==(const map_object_bundle&, const map_object_bundle&) = default;
 };
 

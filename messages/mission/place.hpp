@@ -11,8 +11,7 @@ struct vertex {
   double latitude = 0;  // degrees, -90 to 90
   double longitude = 0; // degrees, -180 to 180
 
-  static constexpr auto fields =
-      io::table("mission.vertex", io::field("latitude", &vertex::latitude), io::field("longitude", &vertex::longitude));
+  GODWIT_FIELDS(vertex, "mission.vertex", latitude, longitude);
   friend bool operator==(const vertex&, const vertex&) = default;
 };
 
@@ -21,9 +20,7 @@ struct position {
   double longitude = 0;
   double altitude_m = 0;
 
-  static constexpr auto fields =
-      io::table("mission.position", io::field("latitude", &position::latitude),
-                io::field("longitude", &position::longitude), io::field("altitude_m", &position::altitude_m));
+  GODWIT_FIELDS(position, "mission.position", latitude, longitude, altitude_m);
   friend bool operator==(const position&, const position&) = default;
 };
 

@@ -20,14 +20,7 @@ enum class progress_kind {
   aborted
 };
 
-constexpr auto enum_names(progress_kind) {
-  return io::names<progress_kind>({{progress_kind::started, "started"},
-                                   {progress_kind::reached, "reached"},
-                                   {progress_kind::passed, "passed"},
-                                   {progress_kind::skipped, "skipped"},
-                                   {progress_kind::complete, "complete"},
-                                   {progress_kind::aborted, "aborted"}});
-}
+GODWIT_ENUM_NAMES(progress_kind, started, reached, passed, skipped, complete, aborted);
 
 // It is the last word about an item: nothing more comes of it.
 [[nodiscard]] constexpr bool settles_item(progress_kind kind) {
@@ -45,12 +38,8 @@ struct progress_report {
   std::string at;                          // UTC, RFC 3339
   bool inferred = false;                   // concluded from what came later
 
-  static constexpr auto fields = io::table(
-      "mission.progress_report", io::field("mission_id", &progress_report::mission_id),
-      io::field("revision", &progress_report::revision), io::field("generation", &progress_report::generation),
-      io::field("report_no", &progress_report::report_no), io::field("kind", &progress_report::kind),
-      io::field("item_id", &progress_report::item_id), io::field("item_index", &progress_report::item_index),
-      io::field("at", &progress_report::at), io::field("inferred", &progress_report::inferred));
+  GODWIT_FIELDS(progress_report, "mission.progress_report", mission_id, revision, generation, report_no, kind, item_id,
+                item_index, at, inferred);
   friend bool operator==(const progress_report&, const progress_report&) = default;
 };
 
@@ -59,9 +48,7 @@ struct progress_batch {
   std::string idempotency_key; // UUID
   std::vector<progress_report> reports;
 
-  static constexpr auto fields =
-      io::table("mission.progress", io::field("idempotency_key", &progress_batch::idempotency_key),
-                io::field("reports", &progress_batch::reports));
+  GODWIT_FIELDS(progress_batch, "mission.progress", idempotency_key, reports);
   friend bool operator==(const progress_batch&, const progress_batch&) = default;
 };
 

@@ -24,47 +24,41 @@ namespace godwit::mission_client {
 // after a refusal it tries anew.
 struct begin_mission {
   std::string mission_id;
-  static constexpr auto fields =
-      io::table("mission_client.begin_mission", io::field("mission_id", &begin_mission::mission_id));
+  GODWIT_FIELDS(begin_mission, "mission_client.begin_mission", mission_id);
 };
 
 // Pull the map again, after a pull that failed.
 struct pull_map {
   std::string mission_id;
-  static constexpr auto fields = io::table("mission_client.pull_map", io::field("mission_id", &pull_map::mission_id));
+  GODWIT_FIELDS(pull_map, "mission_client.pull_map", mission_id);
 };
 
 // An operator flies with the copy from before (pull_state cached_fallback): what is seen counts from it. Said again, or
 // when the map is not such a copy, it changes nothing.
 struct accept_copy {
   std::string mission_id;
-  static constexpr auto fields =
-      io::table("mission_client.accept_copy", io::field("mission_id", &accept_copy::mission_id));
+  GODWIT_FIELDS(accept_copy, "mission_client.accept_copy", mission_id);
 };
 
 // The flight is over: deliver what the map store owes for it. Said again, it looks again. Answered by
 // mission_resolved.
 struct push_map {
   std::string mission_id;
-  static constexpr auto fields = io::table("mission_client.push_map", io::field("mission_id", &push_map::mission_id));
+  GODWIT_FIELDS(push_map, "mission_client.push_map", mission_id);
 };
 
 // In the order of report_no, without a gap, for each mission. Delivered in that order.
 struct report_progress {
   std::string key;
   mission::progress_report report;
-  static constexpr auto fields = io::table("mission_client.report_progress", io::field("key", &report_progress::key),
-                                           io::field("report", &report_progress::report));
+  GODWIT_FIELDS(report_progress, "mission_client.report_progress", key, report);
 };
 
 struct respond_to_assignment {
   std::string mission_id;
   std::string assignment_id;
   mission::assignment_response response; // its idempotency_key is the key
-  static constexpr auto fields =
-      io::table("mission_client.respond_to_assignment", io::field("mission_id", &respond_to_assignment::mission_id),
-                io::field("assignment_id", &respond_to_assignment::assignment_id),
-                io::field("response", &respond_to_assignment::response));
+  GODWIT_FIELDS(respond_to_assignment, "mission_client.respond_to_assignment", mission_id, assignment_id, response);
 };
 
 // Somebody waits: at most three tries within 2 s, then it has failed. Answered by change_outcome. IS_FLOWN, with the
@@ -74,34 +68,28 @@ struct insert_waypoint {
   std::string mission_id;
   mission::waypoint_insert insert; // its idempotency_key is the key
   bool is_flown = false;
-  static constexpr auto fields =
-      io::table("mission_client.insert_waypoint", io::field("mission_id", &insert_waypoint::mission_id),
-                io::field("insert", &insert_waypoint::insert), io::field("is_flown", &insert_waypoint::is_flown));
+  GODWIT_FIELDS(insert_waypoint, "mission_client.insert_waypoint", mission_id, insert, is_flown);
 };
 
 struct replace_tail {
   std::string mission_id;
   mission::tail tail; // its idempotency_key is the key
   bool is_flown = false;
-  static constexpr auto fields =
-      io::table("mission_client.replace_tail", io::field("mission_id", &replace_tail::mission_id),
-                io::field("tail", &replace_tail::tail), io::field("is_flown", &replace_tail::is_flown));
+  GODWIT_FIELDS(replace_tail, "mission_client.replace_tail", mission_id, tail, is_flown);
 };
 
 // The operator fetched what was needed, or the address of the service was mended: what is pending is tried now, what is
 // orphaned or expired is queued again, with its tries and its window beginning anew.
 struct retry_outbox {
   std::string key; // of one row; empty: all
-  static constexpr auto fields = io::table("mission_client.retry_outbox", io::field("key", &retry_outbox::key));
+  GODWIT_FIELDS(retry_outbox, "mission_client.retry_outbox", key);
 };
 
 struct retry_answer {
   std::uint32_t tried_now = 0; // were pending
   std::uint32_t queued = 0;    // were orphaned or expired
   std::string error;           // sentence for people; empty when something was found
-  static constexpr auto fields =
-      io::table("mission_client.retry_answer", io::field("tried_now", &retry_answer::tried_now),
-                io::field("queued", &retry_answer::queued), io::field("error", &retry_answer::error));
+  GODWIT_FIELDS(retry_answer, "mission_client.retry_answer", tried_now, queued, error);
 };
 
 struct get_service {
@@ -110,21 +98,11 @@ struct get_service {
 
 enum class connection_state { unknown, reachable, unreachable };
 
-constexpr auto enum_names(connection_state) {
-  return io::names<connection_state>({{connection_state::unknown, "unknown"},
-                                      {connection_state::reachable, "reachable"},
-                                      {connection_state::unreachable, "unreachable"}});
-}
+GODWIT_ENUM_NAMES(connection_state, unknown, reachable, unreachable);
 
 enum class pull_state { not_started, in_flight, synced, cached_fallback, failed };
 
-constexpr auto enum_names(pull_state) {
-  return io::names<pull_state>({{pull_state::not_started, "not_started"},
-                                {pull_state::in_flight, "in_flight"},
-                                {pull_state::synced, "synced"},
-                                {pull_state::cached_fallback, "cached_fallback"},
-                                {pull_state::failed, "failed"}});
-}
+GODWIT_ENUM_NAMES(pull_state, not_started, in_flight, synced, cached_fallback, failed);
 
 // What a preflight check and the operator look at.
 struct service_status {
@@ -145,18 +123,9 @@ struct service_status {
   std::string refused;        // why the last mission that was asked for was not taken; empty: it was
   std::string refused_sample; // the beginning of what came instead of one, at most 1 KiB; kept over restarts
   std::uint64_t lost_reports = 0; // of progress, that were never delivered; what came after them was
-  static constexpr auto fields = io::table(
-      "mission_client.service_status", io::field("mission_id", &service_status::mission_id),
-      io::field("revision", &service_status::revision), io::field("schema_version", &service_status::schema_version),
-      io::field("last_fetch_ns", &service_status::last_fetch_ns),
-      io::field("fetch_errors", &service_status::fetch_errors), io::field("connection", &service_status::connection),
-      io::field("pull", &service_status::pull), io::field("push_pending", &service_status::push_pending),
-      io::field("pending", &service_status::pending), io::field("orphaned", &service_status::orphaned),
-      io::field("expired", &service_status::expired), io::field("last_error", &service_status::last_error),
-      io::field("delivery_error", &service_status::delivery_error),
-      io::field("may_deliver", &service_status::may_deliver), io::field("refused", &service_status::refused),
-      io::field("refused_sample", &service_status::refused_sample),
-      io::field("lost_reports", &service_status::lost_reports));
+  GODWIT_FIELDS(service_status, "mission_client.service_status", mission_id, revision, schema_version, last_fetch_ns,
+                fetch_errors, connection, pull, push_pending, pending, orphaned, expired, last_error, delivery_error,
+                may_deliver, refused, refused_sample, lost_reports);
 };
 
 // -- told to the executor -------------------------------------------------------------------------
@@ -173,9 +142,7 @@ constexpr auto enum_names(load_cause) {
 struct earlier_reports {
   std::uint32_t last_report_no = 0;
   std::optional<mission::progress_report> last_report; // absent: the service does not give it back
-  static constexpr auto fields =
-      io::table("mission_client.earlier_reports", io::field("last_report_no", &earlier_reports::last_report_no),
-                io::field("last_report", &earlier_reports::last_report));
+  GODWIT_FIELDS(earlier_reports, "mission_client.earlier_reports", last_report_no, last_report);
 };
 
 // This is the mission from now on, instead of the one in memory.
@@ -184,19 +151,14 @@ struct mission_loaded {
   mission::document document;
   std::optional<earlier_reports> earlier{};
   std::uint32_t last_report_no = 0; // fetched: of the newest report that the service or this journal has
-  static constexpr auto fields =
-      io::table("mission_client.mission_loaded", io::field("cause", &mission_loaded::cause),
-                io::field("document", &mission_loaded::document), io::field("earlier", &mission_loaded::earlier),
-                io::field("last_report_no", &mission_loaded::last_report_no));
+  GODWIT_FIELDS(mission_loaded, "mission_client.mission_loaded", cause, document, earlier, last_report_no);
 };
 
 // The same of the mission that is loaded, found when mission_client began anew with it: the journal is an older one.
 struct earlier_found {
   std::string mission_id;
   earlier_reports earlier;
-  static constexpr auto fields =
-      io::table("mission_client.earlier_found", io::field("mission_id", &earlier_found::mission_id),
-                io::field("earlier", &earlier_found::earlier));
+  GODWIT_FIELDS(earlier_found, "mission_client.earlier_found", mission_id, earlier);
 };
 
 enum class refusal {
@@ -222,10 +184,7 @@ struct mission_refused {
   refusal why = refusal::unreachable;
   std::string reason; // sentence for people: what is wrong, where, what to do
   std::string sample; // the beginning of what came, at most 1 KiB; empty when nothing came
-  static constexpr auto fields =
-      io::table("mission_client.mission_refused", io::field("mission_id", &mission_refused::mission_id),
-                io::field("why", &mission_refused::why), io::field("reason", &mission_refused::reason),
-                io::field("sample", &mission_refused::sample));
+  GODWIT_FIELDS(mission_refused, "mission_client.mission_refused", mission_id, why, reason, sample);
 };
 
 // How the pull ended: synced; cached_fallback: failed, with a copy from before in the store; failed: and without.
@@ -235,10 +194,7 @@ struct map_pulled {
   std::uint64_t objects = 0;
   std::uint64_t ignored = 0;
   std::string reason; // sentence for people; empty when synced
-  static constexpr auto fields =
-      io::table("mission_client.map_pulled", io::field("mission_id", &map_pulled::mission_id),
-                io::field("state", &map_pulled::state), io::field("objects", &map_pulled::objects),
-                io::field("ignored", &map_pulled::ignored), io::field("reason", &map_pulled::reason));
+  GODWIT_FIELDS(map_pulled, "mission_client.map_pulled", mission_id, state, objects, ignored, reason);
 };
 
 enum class change_verdict {
@@ -248,36 +204,26 @@ enum class change_verdict {
   unknown  // no answer in time: it may have happened; the mission is looked up as soon as the service answers
 };
 
-constexpr auto enum_names(change_verdict) {
-  return io::names<change_verdict>({{change_verdict::done, "done"},
-                                    {change_verdict::stale, "stale"},
-                                    {change_verdict::refused, "refused"},
-                                    {change_verdict::unknown, "unknown"}});
-}
+GODWIT_ENUM_NAMES(change_verdict, done, stale, refused, unknown);
 
 struct change_outcome {
   std::string key;
   change_verdict verdict = change_verdict::unknown;
   std::string reason; // sentence for people; empty when done
-  static constexpr auto fields =
-      io::table("mission_client.change_outcome", io::field("key", &change_outcome::key),
-                io::field("verdict", &change_outcome::verdict), io::field("reason", &change_outcome::reason));
+  GODWIT_FIELDS(change_outcome, "mission_client.change_outcome", key, verdict, reason);
 };
 
 // The service wants other items. Comes again after a restart until it is responded to.
 struct assignment_arrived {
   std::string mission_id;
   mission::assignment assignment;
-  static constexpr auto fields =
-      io::table("mission_client.assignment_arrived", io::field("mission_id", &assignment_arrived::mission_id),
-                io::field("assignment", &assignment_arrived::assignment));
+  GODWIT_FIELDS(assignment_arrived, "mission_client.assignment_arrived", mission_id, assignment);
 };
 
 // The service does not know this mission any more.
 struct mission_deleted {
   std::string mission_id;
-  static constexpr auto fields =
-      io::table("mission_client.mission_deleted", io::field("mission_id", &mission_deleted::mission_id));
+  GODWIT_FIELDS(mission_deleted, "mission_client.mission_deleted", mission_id);
 };
 
 // After push_map: nothing is pending for this mission any more.
@@ -285,9 +231,7 @@ struct mission_resolved {
   std::string mission_id;
   std::uint32_t orphaned = 0; // rows of the outbox that are kept and not tried any more
   std::uint32_t expired = 0;
-  static constexpr auto fields =
-      io::table("mission_client.mission_settled", io::field("mission_id", &mission_resolved::mission_id),
-                io::field("orphaned", &mission_resolved::orphaned), io::field("expired", &mission_resolved::expired));
+  GODWIT_FIELDS(mission_resolved, "mission_client.mission_settled", mission_id, orphaned, expired);
 };
 
 } // namespace godwit::mission_client

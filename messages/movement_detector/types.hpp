@@ -14,24 +14,20 @@ namespace godwit::movement_detector {
 struct helper_status {
   std::uint32_t run = 0;
   io::eyes::status what;
-  static constexpr auto fields = io::table("movement_detector.helper_status", io::field("run", &helper_status::run),
-                                           io::field("what", &helper_status::what));
+  GODWIT_FIELDS(helper_status, "movement_detector.helper_status", run, what);
 };
 
 struct helper_candidates {
   std::uint32_t run = 0;
   io::eyes::candidates what;
-  static constexpr auto fields =
-      io::table("movement_detector.helper_candidates", io::field("run", &helper_candidates::run),
-                io::field("what", &helper_candidates::what));
+  GODWIT_FIELDS(helper_candidates, "movement_detector.helper_candidates", run, what);
 };
 
 // It is gone: crashed, killed, said what is no message, or could not be started.
 struct helper_ended {
   std::uint32_t run = 0;
   std::string why;
-  static constexpr auto fields = io::table("movement_detector.helper_ended", io::field("run", &helper_ended::run),
-                                           io::field("why", &helper_ended::why));
+  GODWIT_FIELDS(helper_ended, "movement_detector.helper_ended", run, why);
 };
 
 // Answered from memory, at once.
@@ -56,15 +52,8 @@ struct eyes_view {
   std::uint64_t candidates = 0;
   std::uint64_t sightings = 0; // of these: said to the map
   std::uint64_t without_place = 0;
-  static constexpr auto fields =
-      io::table("movement_detector.eyes_view", io::field("is_seeing", &eyes_view::is_seeing),
-                io::field("sentence", &eyes_view::sentence), io::field("width_px", &eyes_view::width_px),
-                io::field("height_px", &eyes_view::height_px), io::field("frames_per_s", &eyes_view::frames_per_s),
-                io::field("frames", &eyes_view::frames), io::field("dropped", &eyes_view::dropped),
-                io::field("looked", &eyes_view::looked), io::field("usable", &eyes_view::usable),
-                io::field("recorded_kb", &eyes_view::recorded_kb), io::field("look_ms", &eyes_view::look_ms),
-                io::field("starts", &eyes_view::starts), io::field("candidates", &eyes_view::candidates),
-                io::field("sightings", &eyes_view::sightings), io::field("without_place", &eyes_view::without_place));
+  GODWIT_FIELDS(eyes_view, "movement_detector.eyes_view", is_seeing, sentence, width_px, height_px, frames_per_s,
+                frames, dropped, looked, usable, recorded_kb, look_ms, starts, candidates, sightings, without_place);
 };
 
 } // namespace godwit::movement_detector

@@ -28,9 +28,7 @@ struct principal {
   std::string name;
   operators::role role = operators::role::viewer;
   std::string session; // a number of operator_bridge's, or local_session; never the secret that opens it
-  static constexpr auto fields =
-      io::table("operator.principal", io::field("name", &principal::name), io::field("role", &principal::role),
-                io::field("session", &principal::session));
+  GODWIT_FIELDS(principal, "operator.principal", name, role, session);
   friend bool operator==(const principal&, const principal&) = default;
 };
 

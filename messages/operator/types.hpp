@@ -28,20 +28,8 @@ enum class command_kind {
   pull         // on the ground: ask the service again, for a mission that it refused or a map whose pull failed
 };
 
-constexpr auto enum_names(command_kind) {
-  return io::names<command_kind>({{command_kind::start, "start"},
-                                  {command_kind::pause, "pause"},
-                                  {command_kind::resume, "resume"},
-                                  {command_kind::come_home, "come_home"},
-                                  {command_kind::hand_back, "hand_back"},
-                                  {command_kind::acknowledge, "acknowledge"},
-                                  {command_kind::check, "check"},
-                                  {command_kind::go_to, "go_to"},
-                                  {command_kind::cancel, "cancel"},
-                                  {command_kind::insert, "insert"},
-                                  {command_kind::end_flight, "end_flight"},
-                                  {command_kind::pull, "pull"}});
-}
+GODWIT_ENUM_NAMES(command_kind, start, pause, resume, come_home, hand_back, acknowledge, check, go_to, cancel, insert,
+                  end_flight, pull);
 
 struct command {
   operators::command_kind kind = operators::command_kind::pause;
@@ -67,8 +55,7 @@ struct answer {
   bool is_taken = false;
   std::string reason;     // sentence for people; empty when taken
   std::string state = {}; // of the flight, when the command was meant for another one; else empty
-  static constexpr auto fields = io::table("operator.answer", io::field("is_taken", &answer::is_taken),
-                                           io::field("reason", &answer::reason), io::field("state", &answer::state));
+  GODWIT_FIELDS(answer, "operator.answer", is_taken, reason, state);
 };
 
 } // namespace godwit::operators

@@ -19,11 +19,7 @@ struct audit_row {
   std::string outcome = {};      // the name of a verdict; "done", "refused"
   std::string reason = {};       // sentence for people; may be empty
   std::uint32_t count = 1;       // how many are in this row: alike, or more than may be written of one person
-  static constexpr auto fields = io::table(
-      "operator_bridge.audit_row", io::field("number", &audit_row::number), io::field("at_ns", &audit_row::at_ns),
-      io::field("who", &audit_row::who), io::field("what", &audit_row::what), io::field("id", &audit_row::id),
-      io::field("outcome", &audit_row::outcome), io::field("reason", &audit_row::reason),
-      io::field("count", &audit_row::count));
+  GODWIT_FIELDS(audit_row, "operator_bridge.audit_row", number, at_ns, who, what, id, outcome, reason, count);
   friend bool operator==(const audit_row&, const audit_row&) = default;
 };
 
@@ -33,20 +29,18 @@ struct audit_note {
   std::string what;
   std::string outcome;
   std::string reason;
-  static constexpr auto fields =
-      io::table("operator_bridge.audit_note", io::field("who", &audit_note::who), io::field("what", &audit_note::what),
-                io::field("outcome", &audit_note::outcome), io::field("reason", &audit_note::reason));
+  GODWIT_FIELDS(audit_note, "operator_bridge.audit_note", who, what, outcome, reason);
 };
 
 // May BY read the audit? Answered when all that was decided before is on the disk; the rows are in the journal.
 struct read_audit {
   operators::principal by;
-  static constexpr auto fields = io::table("operator_bridge.read_audit", io::field("by", &read_audit::by));
+  GODWIT_FIELDS(read_audit, "operator_bridge.read_audit", by);
 };
 
 struct audit_leave {
   std::string refusal; // empty: it may be read
-  static constexpr auto fields = io::table("operator_bridge.audit_leave", io::field("refusal", &audit_leave::refusal));
+  GODWIT_FIELDS(audit_leave, "operator_bridge.audit_leave", refusal);
 };
 
 struct audit_query {
@@ -57,8 +51,7 @@ struct audit_query {
 struct audit_page {
   std::vector<audit_row> rows; // the oldest first
   bool has_older = false;      // asked for with `before` = the first number here
-  static constexpr auto fields = io::table("operator_bridge.audit_page", io::field("rows", &audit_page::rows),
-                                           io::field("has_older", &audit_page::has_older));
+  GODWIT_FIELDS(audit_page, "operator_bridge.audit_page", rows, has_older);
 };
 
 } // namespace godwit::operator_bridge

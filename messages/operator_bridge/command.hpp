@@ -20,10 +20,7 @@ struct operator_command {
   std::int64_t valid_until_ns = 0; // ns since 1970 (UTC); later it is refused; 0: a few seconds from now on
   operators::principal by;
   operators::command what; // `by` is filled in from the principal
-  static constexpr auto fields =
-      io::table("operator_bridge.command", io::field("id", &operator_command::id),
-                io::field("valid_until_ns", &operator_command::valid_until_ns), io::field("by", &operator_command::by),
-                io::field("what", &operator_command::what));
+  GODWIT_FIELDS(operator_command, "operator_bridge.command", id, valid_until_ns, by, what);
 };
 
 enum class verdict {
@@ -41,28 +38,14 @@ enum class verdict {
   unknown     // it was handed over, and what became of it is not known: look at the status
 };
 
-constexpr auto enum_names(verdict) {
-  return io::names<verdict>({{verdict::taken, "taken"},
-                             {verdict::refused, "refused"},
-                             {verdict::stale, "stale"},
-                             {verdict::late, "late"},
-                             {verdict::no_session, "no_session"},
-                             {verdict::wrong_role, "wrong_role"},
-                             {verdict::no_control, "no_control"},
-                             {verdict::id_used, "id_used"},
-                             {verdict::superseded, "superseded"},
-                             {verdict::busy, "busy"},
-                             {verdict::not_done, "not_done"},
-                             {verdict::unknown, "unknown"}});
-}
+GODWIT_ENUM_NAMES(verdict, taken, refused, stale, late, no_session, wrong_role, no_control, id_used, superseded, busy,
+                  not_done, unknown);
 
 struct command_answer {
   operator_bridge::verdict verdict = operator_bridge::verdict::unknown;
   std::string reason;     // sentence for people; empty when taken
   std::string state = {}; // of the flight, when stale
-  static constexpr auto fields =
-      io::table("operator_bridge.command_answer", io::field("verdict", &command_answer::verdict),
-                io::field("reason", &command_answer::reason), io::field("state", &command_answer::state));
+  GODWIT_FIELDS(command_answer, "operator_bridge.command_answer", verdict, reason, state);
   friend bool operator==(const command_answer&, const command_answer&) = default;
 };
 
@@ -71,15 +54,13 @@ struct command_answer {
 struct ask_leave {
   operators::principal by;
   std::string what; // for the audit
-  static constexpr auto fields =
-      io::table("operator_bridge.ask_leave", io::field("by", &ask_leave::by), io::field("what", &ask_leave::what));
+  GODWIT_FIELDS(ask_leave, "operator_bridge.ask_leave", by, what);
 };
 
 struct leave {
   operator_bridge::verdict verdict = operator_bridge::verdict::unknown; // taken: it may be done
   std::string reason;                                                   // sentence for people; empty when taken
-  static constexpr auto fields =
-      io::table("operator_bridge.leave", io::field("verdict", &leave::verdict), io::field("reason", &leave::reason));
+  GODWIT_FIELDS(leave, "operator_bridge.leave", verdict, reason);
 };
 
 } // namespace godwit::operator_bridge

@@ -20,43 +20,33 @@ enum class control_act {
   hand_over  // one's own, to an operator who is logged in
 };
 
-constexpr auto enum_names(control_act) {
-  return io::names<control_act>({{control_act::take, "take"},
-                                 {control_act::take_over, "take_over"},
-                                 {control_act::give, "give"},
-                                 {control_act::hand_over, "hand_over"}});
-}
+GODWIT_ENUM_NAMES(control_act, take, take_over, give, hand_over);
 
 struct change_control {
   operators::principal by;
   control_act act = control_act::take;
   std::string to; // hand_over: a name
-  static constexpr auto fields =
-      io::table("operator_bridge.change_control", io::field("by", &change_control::by),
-                io::field("act", &change_control::act), io::field("to", &change_control::to));
+  GODWIT_FIELDS(change_control, "operator_bridge.change_control", by, act, to);
 };
 
 struct control_answer {
   bool is_done = false;
   std::string reason; // sentence for people; empty when done
   std::string holder; // who has control after it; empty: nobody
-  static constexpr auto fields =
-      io::table("operator_bridge.control_answer", io::field("is_done", &control_answer::is_done),
-                io::field("reason", &control_answer::reason), io::field("holder", &control_answer::holder));
+  GODWIT_FIELDS(control_answer, "operator_bridge.control_answer", is_done, reason, holder);
 };
 
 struct control_holder {
   operators::principal who;
   std::int64_t since_ns = 0; // ns since 1970 (UTC)
-  static constexpr auto fields = io::table("operator_bridge.control_holder", io::field("who", &control_holder::who),
-                                           io::field("since_ns", &control_holder::since_ns));
+  GODWIT_FIELDS(control_holder, "operator_bridge.control_holder", who, since_ns);
   friend bool operator==(const control_holder&, const control_holder&) = default;
 };
 
 // Told when another one has it than before, and when operator_bridge begins anew.
 struct control_news {
   std::string holder; // a name; empty: nobody
-  static constexpr auto fields = io::table("operator_bridge.control_news", io::field("holder", &control_news::holder));
+  GODWIT_FIELDS(control_news, "operator_bridge.control_news", holder);
 };
 
 struct get_operators {
@@ -68,9 +58,7 @@ struct session_view {
   std::string from; // the way that the login took, such as an address
   std::int64_t opened_ns = 0;
   std::int64_t used_ns = 0; // last, to a minute
-  static constexpr auto fields = io::table(
-      "operator_bridge.session_view", io::field("who", &session_view::who), io::field("from", &session_view::from),
-      io::field("opened_ns", &session_view::opened_ns), io::field("used_ns", &session_view::used_ns));
+  GODWIT_FIELDS(session_view, "operator_bridge.session_view", who, from, opened_ns, used_ns);
 };
 
 struct operators_view {
@@ -78,10 +66,7 @@ struct operators_view {
   std::vector<session_view> sessions;
   std::uint64_t commands = 0; // since godwitd began
   std::uint64_t refused = 0;  // of them
-  static constexpr auto fields =
-      io::table("operator_bridge.operators_view", io::field("control", &operators_view::control),
-                io::field("sessions", &operators_view::sessions), io::field("commands", &operators_view::commands),
-                io::field("refused", &operators_view::refused));
+  GODWIT_FIELDS(operators_view, "operator_bridge.operators_view", control, sessions, commands, refused);
 };
 
 } // namespace godwit::operator_bridge

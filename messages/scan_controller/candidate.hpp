@@ -22,12 +22,8 @@ struct candidate {
   double confidence = 0;  // 0..1
   bool has_moved = false; // a known object, away from its place
   bool is_known = false;  // a known object at its place: counts only for a point that is there already
-  static constexpr auto fields =
-      io::table("scan_controller.candidate", io::field("id", &candidate::id),
-                io::field("mission_id", &candidate::mission_id), io::field("object_id", &candidate::object_id),
-                io::field("class_group", &candidate::class_group), io::field("position", &candidate::position),
-                io::field("at_ns", &candidate::at_ns), io::field("confidence", &candidate::confidence),
-                io::field("has_moved", &candidate::has_moved), io::field("is_known", &candidate::is_known));
+  GODWIT_FIELDS(candidate, "scan_controller.candidate", id, mission_id, object_id, class_group, position, at_ns,
+                confidence, has_moved, is_known);
 };
 
 enum class candidate_fate {
@@ -39,21 +35,12 @@ enum class candidate_fate {
   no_room   // all points that wait are worth more
 };
 
-constexpr auto enum_names(candidate_fate) {
-  return io::names<candidate_fate>({{candidate_fate::opened, "opened"},
-                                    {candidate_fate::merged, "merged"},
-                                    {candidate_fate::resolved, "resolved"},
-                                    {candidate_fate::known, "known"},
-                                    {candidate_fate::too_old, "too_old"},
-                                    {candidate_fate::no_room, "no_room"}});
-}
+GODWIT_ENUM_NAMES(candidate_fate, opened, merged, resolved, known, too_old, no_room);
 
 struct candidate_answer {
   candidate_fate fate = candidate_fate::known;
   std::uint64_t point = 0; // its number; 0: none
-  static constexpr auto fields =
-      io::table("scan_controller.candidate_answer", io::field("fate", &candidate_answer::fate),
-                io::field("point", &candidate_answer::point));
+  GODWIT_FIELDS(candidate_answer, "scan_controller.candidate_answer", fate, point);
 };
 
 } // namespace godwit::scan_controller

@@ -20,12 +20,8 @@ struct survey_progress {
   std::uint32_t lines = 0;
   std::uint32_t lines_done = 0;
   std::vector<mission::vertex> polygon;
-  static constexpr auto fields = io::table(
-      "scan_controller.survey_progress", io::field("mission_id", &survey_progress::mission_id),
-      io::field("item_id", &survey_progress::item_id), io::field("generation", &survey_progress::generation),
-      io::field("is_flying", &survey_progress::is_flying),
-      io::field("is_at_beginning", &survey_progress::is_at_beginning), io::field("lines", &survey_progress::lines),
-      io::field("lines_done", &survey_progress::lines_done), io::field("polygon", &survey_progress::polygon));
+  GODWIT_FIELDS(survey_progress, "scan_controller.survey_progress", mission_id, item_id, generation, is_flying,
+                is_at_beginning, lines, lines_done, polygon);
 };
 
 } // namespace godwit::scan_controller

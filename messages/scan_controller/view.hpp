@@ -11,8 +11,7 @@ namespace godwit::scan_controller {
 struct view {
   bool is_seeing = false;
   std::string reason; // why not: a sentence for people
-  static constexpr auto fields =
-      io::table("scan_controller.view", io::field("is_seeing", &view::is_seeing), io::field("reason", &view::reason));
+  GODWIT_FIELDS(view, "scan_controller.view", is_seeing, reason);
 };
 
 } // namespace godwit::scan_controller

@@ -32,28 +32,12 @@ enum class topic {
 
 inline constexpr std::size_t topic_count = 16;
 
-constexpr auto enum_names(topic) {
-  return io::names<topic>({{topic::clock, "clock"},
-                           {topic::link, "link"},
-                           {topic::position, "position"},
-                           {topic::attitude, "attitude"},
-                           {topic::battery, "battery"},
-                           {topic::gps, "gps"},
-                           {topic::home, "home"},
-                           {topic::flight, "flight"},
-                           {topic::authority, "authority"},
-                           {topic::progress, "progress"},
-                           {topic::map, "map"},
-                           {topic::health, "health"},
-                           {topic::log, "log"},
-                           {topic::points, "points"},
-                           {topic::missions, "missions"},
-                           {topic::way_home, "way_home"}});
-}
+GODWIT_ENUM_NAMES(topic, clock, link, position, attitude, battery, gps, home, flight, authority, progress, map, health,
+                  log, points, missions, way_home);
 
 struct clock_update {
   std::uint64_t beat = 0; // 1, 2, 3, ... of this incarnation of the stream
-  static constexpr auto fields = io::table("telemetry_stream.clock", io::field("beat", &clock_update::beat));
+  GODWIT_FIELDS(clock_update, "telemetry_stream.clock", beat);
 };
 
 struct position_update {
@@ -64,22 +48,15 @@ struct position_update {
   double ground_speed_mps = 0;
   double climb_mps = 0;
   std::optional<double> heading_deg;
-  static constexpr auto fields = io::table(
-      "telemetry_stream.position", io::field("latitude_deg", &position_update::latitude_deg),
-      io::field("longitude_deg", &position_update::longitude_deg),
-      io::field("altitude_m", &position_update::altitude_m),
-      io::field("altitude_msl_m", &position_update::altitude_msl_m),
-      io::field("ground_speed_mps", &position_update::ground_speed_mps),
-      io::field("climb_mps", &position_update::climb_mps), io::field("heading_deg", &position_update::heading_deg));
+  GODWIT_FIELDS(position_update, "telemetry_stream.position", latitude_deg, longitude_deg, altitude_m, altitude_msl_m,
+                ground_speed_mps, climb_mps, heading_deg);
 };
 
 struct attitude_update {
   double roll_deg = 0;
   double pitch_deg = 0;
   double yaw_deg = 0;
-  static constexpr auto fields =
-      io::table("telemetry_stream.attitude", io::field("roll_deg", &attitude_update::roll_deg),
-                io::field("pitch_deg", &attitude_update::pitch_deg), io::field("yaw_deg", &attitude_update::yaw_deg));
+  GODWIT_FIELDS(attitude_update, "telemetry_stream.attitude", roll_deg, pitch_deg, yaw_deg);
 };
 
 // What the vehicle does not know is absent.
@@ -87,9 +64,7 @@ struct battery_update {
   std::optional<std::int32_t> remaining_percent;
   std::optional<double> voltage_v;
   std::optional<double> current_a;
-  static constexpr auto fields =
-      io::table("telemetry_stream.battery", io::field("remaining_percent", &battery_update::remaining_percent),
-                io::field("voltage_v", &battery_update::voltage_v), io::field("current_a", &battery_update::current_a));
+  GODWIT_FIELDS(battery_update, "telemetry_stream.battery", remaining_percent, voltage_v, current_a);
 };
 
 // What the receiver says of itself.
@@ -98,9 +73,7 @@ struct gps_update {
   std::optional<std::int32_t> satellites; // seen
   std::optional<double> hdop;
   std::optional<double> accuracy_m; // horizontal
-  static constexpr auto fields = io::table(
-      "telemetry_stream.gps", io::field("fix", &gps_update::fix), io::field("satellites", &gps_update::satellites),
-      io::field("hdop", &gps_update::hdop), io::field("accuracy_m", &gps_update::accuracy_m));
+  GODWIT_FIELDS(gps_update, "telemetry_stream.gps", fix, satellites, hdop, accuracy_m);
 };
 
 // Where the vehicle's own return leads.
@@ -108,10 +81,7 @@ struct home_update {
   double latitude_deg = 0;
   double longitude_deg = 0;
   double altitude_msl_m = 0; // above mean sea level
-  static constexpr auto fields =
-      io::table("telemetry_stream.home", io::field("latitude_deg", &home_update::latitude_deg),
-                io::field("longitude_deg", &home_update::longitude_deg),
-                io::field("altitude_msl_m", &home_update::altitude_msl_m));
+  GODWIT_FIELDS(home_update, "telemetry_stream.home", latitude_deg, longitude_deg, altitude_msl_m);
   friend bool operator==(const home_update&, const home_update&) = default;
 };
 
@@ -124,18 +94,14 @@ struct flight_update {
   std::string mode;
   std::uint32_t preflight_report = 0; // that waits for an acknowledgement; 0: none
   std::string state;                  // as executor::flight_status: what a command is meant for
-  static constexpr auto fields = io::table(
-      "telemetry_stream.flight", io::field("phase", &flight_update::phase), io::field("cause", &flight_update::cause),
-      io::field("sentence", &flight_update::sentence), io::field("in_flight", &flight_update::in_flight),
-      io::field("is_armed", &flight_update::is_armed), io::field("mode", &flight_update::mode),
-      io::field("preflight_report", &flight_update::preflight_report), io::field("state", &flight_update::state));
+  GODWIT_FIELDS(flight_update, "telemetry_stream.flight", phase, cause, sentence, in_flight, is_armed, mode,
+                preflight_report, state);
   friend bool operator==(const flight_update&, const flight_update&) = default;
 };
 
 struct authority_update {
   std::string holder; // as executor::flight_status::authority
-  static constexpr auto fields =
-      io::table("telemetry_stream.authority", io::field("holder", &authority_update::holder));
+  GODWIT_FIELDS(authority_update, "telemetry_stream.authority", holder);
   friend bool operator==(const authority_update&, const authority_update&) = default;
 };
 
@@ -146,11 +112,8 @@ struct progress_update {
   std::uint32_t items = 0;
   std::uint32_t items_done = 0;
   std::uint32_t reports = 0;
-  static constexpr auto fields =
-      io::table("telemetry_stream.progress", io::field("mission_id", &progress_update::mission_id),
-                io::field("revision", &progress_update::revision),
-                io::field("generation", &progress_update::generation), io::field("items", &progress_update::items),
-                io::field("items_done", &progress_update::items_done), io::field("reports", &progress_update::reports));
+  GODWIT_FIELDS(progress_update, "telemetry_stream.progress", mission_id, revision, generation, items, items_done,
+                reports);
   friend bool operator==(const progress_update&, const progress_update&) = default;
 };
 
@@ -158,9 +121,7 @@ struct log_update {
   bool is_warning = false;
   std::string part; // of whom it is said
   std::string sentence;
-  static constexpr auto fields =
-      io::table("telemetry_stream.log", io::field("is_warning", &log_update::is_warning),
-                io::field("part", &log_update::part), io::field("sentence", &log_update::sentence));
+  GODWIT_FIELDS(log_update, "telemetry_stream.log", is_warning, part, sentence);
 };
 
 struct point_of_interest {
@@ -173,14 +134,8 @@ struct point_of_interest {
   bool has_picture = false;         // the camera has shown it: GET /api/v1/points/N/picture
   std::int64_t decide_until_ms = 0; // of one that is shown
   std::string by;                   // of one that is confirmed: who did
-  static constexpr auto fields = io::table(
-      "telemetry_stream.point_of_interest", io::field("number", &point_of_interest::number),
-      io::field("class_group", &point_of_interest::class_group),
-      io::field("latitude_deg", &point_of_interest::latitude_deg),
-      io::field("longitude_deg", &point_of_interest::longitude_deg),
-      io::field("confidence", &point_of_interest::confidence), io::field("has_moved", &point_of_interest::has_moved),
-      io::field("has_picture", &point_of_interest::has_picture),
-      io::field("decide_until_ms", &point_of_interest::decide_until_ms), io::field("by", &point_of_interest::by));
+  GODWIT_FIELDS(point_of_interest, "telemetry_stream.point_of_interest", number, class_group, latitude_deg,
+                longitude_deg, confidence, has_moved, has_picture, decide_until_ms, by);
   friend bool operator==(const point_of_interest&, const point_of_interest&) = default;
 };
 
@@ -191,10 +146,7 @@ struct points_update {
   std::vector<point_of_interest> shown; // people decide about these
   std::vector<point_of_interest> confirmed;
   std::uint32_t waiting = 0; // for their turn
-  static constexpr auto fields =
-      io::table("telemetry_stream.points", io::field("is_looking", &points_update::is_looking),
-                io::field("mission_id", &points_update::mission_id), io::field("shown", &points_update::shown),
-                io::field("confirmed", &points_update::confirmed), io::field("waiting", &points_update::waiting));
+  GODWIT_FIELDS(points_update, "telemetry_stream.points", is_looking, mission_id, shown, confirmed, waiting);
   friend bool operator==(const points_update&, const points_update&) = default;
 };
 

@@ -42,10 +42,7 @@ struct seen_state {
   std::uint64_t failsafe_command = 0; // the failsafe's last one, in its count; in its own orders: this one
   std::int64_t foreign_ns = 0;        // of the newest foreign_act that it knows of; 0: none
   std::int64_t looked_ns = 0;         // of an order that moves the vehicle: when it was looked at for it; 0: of none
-  static constexpr auto fields = io::table(
-      "vehicle_link.seen_state", io::field("custom_mode", &seen_state::custom_mode),
-      io::field("is_armed", &seen_state::is_armed), io::field("failsafe_command", &seen_state::failsafe_command),
-      io::field("foreign_ns", &seen_state::foreign_ns), io::field("looked_ns", &seen_state::looked_ns));
+  GODWIT_FIELDS(seen_state, "vehicle_link.seen_state", custom_mode, is_armed, failsafe_command, foreign_ns, looked_ns);
   friend bool operator==(const seen_state&, const seen_state&) = default;
 };
 
@@ -69,16 +66,8 @@ struct send_command {
   // What the sender knew when it decided: another newest heartbeat here, a command of the failsafe or an act of
   // somebody else that it did not know of, or a look that is too old, and the command is `outdated`. Absent: whatever.
   std::optional<seen_state> only_while;
-  static constexpr auto fields = io::table(
-      "vehicle_link.send_command", io::field("command", &send_command::command), io::field("form", &send_command::form),
-      io::field("param1", &send_command::param1), io::field("param2", &send_command::param2),
-      io::field("param3", &send_command::param3), io::field("param4", &send_command::param4),
-      io::field("param5", &send_command::param5), io::field("param6", &send_command::param6),
-      io::field("x", &send_command::x), io::field("y", &send_command::y), io::field("z", &send_command::z),
-      io::field("frame", &send_command::frame), io::field("confirmation", &send_command::confirmation),
-      io::field("target_component", &send_command::target_component),
-      io::field("timeout_ms", &send_command::timeout_ms), io::field("copies", &send_command::copies),
-      io::field("only_while", &send_command::only_while));
+  GODWIT_FIELDS(send_command, "vehicle_link.send_command", command, form, param1, param2, param3, param4, param5,
+                param6, x, y, z, frame, confirmation, target_component, timeout_ms, copies, only_while);
 };
 
 enum class command_verdict {
@@ -93,17 +82,8 @@ enum class command_verdict {
   outdated           // the vehicle is not as it was when it was decided, or the failsafe's (only_while): not sent
 };
 
-constexpr auto enum_names(command_verdict) {
-  return io::names<command_verdict>({{command_verdict::accepted, "accepted"},
-                                     {command_verdict::refused, "refused"},
-                                     {command_verdict::timed_out, "timed_out"},
-                                     {command_verdict::not_sent, "not_sent"},
-                                     {command_verdict::already_running, "already_running"},
-                                     {command_verdict::too_many, "too_many"},
-                                     {command_verdict::invalid, "invalid"},
-                                     {command_verdict::vehicle_restarted, "vehicle_restarted"},
-                                     {command_verdict::outdated, "outdated"}});
-}
+GODWIT_ENUM_NAMES(command_verdict, accepted, refused, timed_out, not_sent, already_running, too_many, invalid,
+                  vehicle_restarted, outdated);
 
 struct command_outcome {
   std::uint16_t command = 0;
@@ -112,11 +92,8 @@ struct command_outcome {
   std::int32_t result_param2 = 0;  // as the vehicle gave it
   std::int64_t round_trip_us = -1; // -1: there was no answer
   std::string reason = {};         // sentence for people; empty when accepted
-  static constexpr auto fields = io::table(
-      "vehicle_link.command_outcome", io::field("command", &command_outcome::command),
-      io::field("verdict", &command_outcome::verdict), io::field("result", &command_outcome::result),
-      io::field("result_param2", &command_outcome::result_param2),
-      io::field("round_trip_us", &command_outcome::round_trip_us), io::field("reason", &command_outcome::reason));
+  GODWIT_FIELDS(command_outcome, "vehicle_link.command_outcome", command, verdict, result, result_param2, round_trip_us,
+                reason);
 };
 
 // SET_MODE, for vehicles that know no DO_SET_MODE. There is no answer to it: look at the next heartbeat.
@@ -124,9 +101,7 @@ struct set_mode {
   std::uint8_t base_mode = 0; // MAV_MODE_FLAG
   std::uint32_t custom_mode = 0;
   std::optional<seen_state> only_while = {}; // as in send_command; else nothing is sent
-  static constexpr auto fields =
-      io::table("vehicle_link.set_mode", io::field("base_mode", &set_mode::base_mode),
-                io::field("custom_mode", &set_mode::custom_mode), io::field("only_while", &set_mode::only_while));
+  GODWIT_FIELDS(set_mode, "vehicle_link.set_mode", base_mode, custom_mode, only_while);
 };
 
 // Makes SEQUENCE the current item of the vehicle's mission: DO_SET_MISSION_CURRENT, and MISSION_SET_CURRENT where the
@@ -135,9 +110,7 @@ struct set_mode {
 struct set_current_item {
   std::uint16_t sequence = 0;                // as the vehicle counts
   std::optional<seen_state> only_while = {}; // as in send_command, and looked at before MISSION_SET_CURRENT again
-  static constexpr auto fields =
-      io::table("vehicle_link.set_current_item", io::field("sequence", &set_current_item::sequence),
-                io::field("only_while", &set_current_item::only_while));
+  GODWIT_FIELDS(set_current_item, "vehicle_link.set_current_item", sequence, only_while);
 };
 
 // Gives our signing key to the vehicle, or with `off` an all-zero one that ends signing. Only over a link that is
@@ -145,15 +118,13 @@ struct set_current_item {
 // in signed frames of the vehicle.
 struct set_up_signing {
   bool off = false;
-  static constexpr auto fields = io::table("vehicle_link.set_up_signing", io::field("off", &set_up_signing::off));
+  GODWIT_FIELDS(set_up_signing, "vehicle_link.set_up_signing", off);
 };
 
 struct signing_answer {
   bool is_sent = false;
   std::string reason; // sentence for people; empty when sent
-  static constexpr auto fields =
-      io::table("vehicle_link.signing_answer", io::field("is_sent", &signing_answer::is_sent),
-                io::field("reason", &signing_answer::reason));
+  GODWIT_FIELDS(signing_answer, "vehicle_link.signing_answer", is_sent, reason);
 };
 
 } // namespace godwit::vehicle_link

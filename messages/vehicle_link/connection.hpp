@@ -23,12 +23,7 @@ enum class connection_phase {
   lost       // they stopped
 };
 
-constexpr auto enum_names(connection_phase) {
-  return io::names<connection_phase>({{connection_phase::down, "down"},
-                                      {connection_phase::silent, "silent"},
-                                      {connection_phase::connected, "connected"},
-                                      {connection_phase::lost, "lost"}});
-}
+GODWIT_ENUM_NAMES(connection_phase, down, silent, connected, lost);
 
 struct get_connection {
   static constexpr auto fields = io::table("vehicle_link.get_connection");
@@ -38,23 +33,21 @@ struct get_connection {
 struct named_count {
   std::string name;
   std::uint64_t count = 0;
-  static constexpr auto fields = io::table("vehicle_link.named_count", io::field("name", &named_count::name),
-                                           io::field("count", &named_count::count));
+  GODWIT_FIELDS(named_count, "vehicle_link.named_count", name, count);
 };
 
 // An autopilot, as it names itself in its frames.
 struct vehicle_name {
   std::uint8_t system = 0;
   std::uint8_t component = 0;
-  static constexpr auto fields = io::table("vehicle_link.vehicle_name", io::field("system", &vehicle_name::system),
-                                           io::field("component", &vehicle_name::component));
+  GODWIT_FIELDS(vehicle_name, "vehicle_link.vehicle_name", system, component);
   friend bool operator==(const vehicle_name&, const vehicle_name&) = default;
 };
 
 // The executor: a flight is open, and with it goes the vehicle that is flown; or none is. Repeated once a second.
 struct keep_vehicle {
   bool is_kept = false;
-  static constexpr auto fields = io::table("vehicle_link.keep_vehicle", io::field("is_kept", &keep_vehicle::is_kept));
+  GODWIT_FIELDS(keep_vehicle, "vehicle_link.keep_vehicle", is_kept);
 };
 
 // Who else is on the line, and what raises a doubt about who the vehicle is. Told to listeners at each change.
@@ -63,10 +56,7 @@ struct line_findings {
   std::vector<vehicle_name> others;    // autopilots heard of late that are not it; at most max_other_autopilots
   bool is_chosen = false;              // by its system id (vehicle.system): the others do not matter
   std::string twin; // why there are two under its name, as a sentence for people; empty: there are not
-  static constexpr auto fields =
-      io::table("vehicle_link.line_findings", io::field("vehicle", &line_findings::vehicle),
-                io::field("others", &line_findings::others), io::field("is_chosen", &line_findings::is_chosen),
-                io::field("twin", &line_findings::twin));
+  GODWIT_FIELDS(line_findings, "vehicle_link.line_findings", vehicle, others, is_chosen, twin);
   friend bool operator==(const line_findings&, const line_findings&) = default;
 };
 
@@ -109,29 +99,12 @@ struct connection {
   std::optional<vehicle_name> kept = {};    // of the flight that is open: no other one is taken
   line_findings line = {};
   std::uint64_t other_programs = 0; // heartbeats under the vehicle's name that are no autopilot's: not taken
-  static constexpr auto fields = io::table(
-      "vehicle_link.connection", io::field("phase", &connection::phase), io::field("connected", &connection::connected),
-      io::field("reason", &connection::reason), io::field("last_heartbeat_age_ms", &connection::last_heartbeat_age_ms),
-      io::field("system", &connection::system), io::field("autopilot", &connection::autopilot),
-      io::field("vehicle_type", &connection::vehicle_type), io::field("tx_seq", &connection::tx_seq),
-      io::field("rx_seq", &connection::rx_seq), io::field("signing_enabled", &connection::signing_enabled),
-      io::field("heartbeat_held_back", &connection::heartbeat_held_back),
-      io::field("frames_in", &connection::frames_in), io::field("frames_out", &connection::frames_out),
-      io::field("sequence_gaps", &connection::sequence_gaps),
-      io::field("parse_errors_total", &connection::parse_errors_total),
-      io::field("parse_errors", &connection::parse_errors), io::field("kind_errors", &connection::kind_errors),
-      io::field("signed_in", &connection::signed_in), io::field("signing_rejected", &connection::signing_rejected),
-      io::field("signing_errors", &connection::signing_errors), io::field("not_accepted", &connection::not_accepted),
-      io::field("relayed_to_vehicle", &connection::relayed_to_vehicle),
-      io::field("relayed_to_stations", &connection::relayed_to_stations),
-      io::field("relays_dropped", &connection::relays_dropped), io::field("dropped_in", &connection::dropped_in),
-      io::field("dropped_out", &connection::dropped_out), io::field("vehicle_restarts", &connection::vehicle_restarts),
-      io::field("late_heartbeats", &connection::late_heartbeats),
-      io::field("other_autopilots", &connection::other_autopilots),
-      io::field("under_its_name", &connection::under_its_name),
-      io::field("orders_kept_back", &connection::orders_kept_back), io::field("reconnects", &connection::reconnects),
-      io::field("missing_streams", &connection::missing_streams), io::field("kept", &connection::kept),
-      io::field("line", &connection::line), io::field("other_programs", &connection::other_programs));
+  GODWIT_FIELDS(connection, "vehicle_link.connection", phase, connected, reason, last_heartbeat_age_ms, system,
+                autopilot, vehicle_type, tx_seq, rx_seq, signing_enabled, heartbeat_held_back, frames_in, frames_out,
+                sequence_gaps, parse_errors_total, parse_errors, kind_errors, signed_in, signing_rejected,
+                signing_errors, not_accepted, relayed_to_vehicle, relayed_to_stations, relays_dropped, dropped_in,
+                dropped_out, vehicle_restarts, late_heartbeats, other_autopilots, under_its_name, orders_kept_back,
+                reconnects, missing_streams, kept, line, other_programs);
 };
 
 // How a reason begins when frames come and are not believed.
@@ -141,27 +114,21 @@ inline constexpr std::string_view refused_for_signature = "frames are refused fo
 struct connection_changed {
   connection_phase phase = connection_phase::down;
   std::string reason;
-  static constexpr auto fields =
-      io::table("vehicle_link.connection_changed", io::field("phase", &connection_changed::phase),
-                io::field("reason", &connection_changed::reason));
+  GODWIT_FIELDS(connection_changed, "vehicle_link.connection_changed", phase, reason);
 };
 
 // The autopilot's clock since boot went back: it started again. What it held in memory only is gone.
 struct vehicle_restarted {
   std::uint32_t boot_ms_before = 0;
   std::uint32_t boot_ms_now = 0;
-  static constexpr auto fields =
-      io::table("vehicle_link.vehicle_restarted", io::field("boot_ms_before", &vehicle_restarted::boot_ms_before),
-                io::field("boot_ms_now", &vehicle_restarted::boot_ms_now));
+  GODWIT_FIELDS(vehicle_restarted, "vehicle_link.vehicle_restarted", boot_ms_before, boot_ms_now);
 };
 
 // Frames came that are signed wrongly, or not at all where they must be. Told at most once a second.
 struct signing_alert {
   std::uint64_t rejected = 0; // since the start
   std::string reason;
-  static constexpr auto fields =
-      io::table("vehicle_link.signing_alert", io::field("rejected", &signing_alert::rejected),
-                io::field("reason", &signing_alert::reason));
+  GODWIT_FIELDS(signing_alert, "vehicle_link.signing_alert", rejected, reason);
 };
 
 } // namespace godwit::vehicle_link

@@ -18,9 +18,7 @@ enum class foreign_kind {
   plan     // somebody else brings it another plan, or has
 };
 
-constexpr auto enum_names(foreign_kind) {
-  return io::names<foreign_kind>({{foreign_kind::command, "command"}, {foreign_kind::plan, "plan"}});
-}
+GODWIT_ENUM_NAMES(foreign_kind, command, plan);
 
 // Not about commands that this process has forwarded for a ground station: their answers are judged by ground_port.
 struct foreign_act {
@@ -29,10 +27,7 @@ struct foreign_act {
   std::uint8_t system = 0;    // who did it; 0: the vehicle does not say
   std::uint8_t component = 0; // the same
   std::int64_t at_ns = 0;     // when it was heard; never the same twice
-  static constexpr auto fields =
-      io::table("vehicle_link.foreign_act", io::field("kind", &foreign_act::kind),
-                io::field("command", &foreign_act::command), io::field("system", &foreign_act::system),
-                io::field("component", &foreign_act::component), io::field("at_ns", &foreign_act::at_ns));
+  GODWIT_FIELDS(foreign_act, "vehicle_link.foreign_act", kind, command, system, component, at_ns);
 };
 
 // Asks the vehicle for a heartbeat, and is answered when one has come that it sent after it was asked: HEARTBEATs that
@@ -45,15 +40,13 @@ struct looked {
   bool is_seen = false;
   std::int64_t at_ns = 0; // when that heartbeat came
   std::string reason;     // sentence for people; empty when seen
-  static constexpr auto fields = io::table("vehicle_link.looked", io::field("is_seen", &looked::is_seen),
-                                           io::field("at_ns", &looked::at_ns), io::field("reason", &looked::reason));
+  GODWIT_FIELDS(looked, "vehicle_link.looked", is_seen, at_ns, reason);
 };
 
 // While a flight is started the vehicle is asked for five heartbeats a second, and for one again afterwards.
 struct watch_closely {
   bool is_close = false;
-  static constexpr auto fields =
-      io::table("vehicle_link.watch_closely", io::field("is_close", &watch_closely::is_close));
+  GODWIT_FIELDS(watch_closely, "vehicle_link.watch_closely", is_close);
 };
 
 } // namespace godwit::vehicle_link

@@ -17,10 +17,7 @@ struct relayed_frame {
   std::uint8_t system = 0;    // who said it
   std::uint8_t component = 0; // the same
   std::vector<std::uint8_t> payload;
-  static constexpr auto fields =
-      io::table("vehicle_link.relayed_frame", io::field("message", &relayed_frame::message),
-                io::field("system", &relayed_frame::system), io::field("component", &relayed_frame::component),
-                io::field("payload", &relayed_frame::payload));
+  GODWIT_FIELDS(relayed_frame, "vehicle_link.relayed_frame", message, system, component, payload);
   friend bool operator==(const relayed_frame&, const relayed_frame&) = default;
 };
 

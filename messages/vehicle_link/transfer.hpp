@@ -25,14 +25,7 @@ enum class verdict {
   not_begun            // nothing was sent: no vehicle, no link, or another transfer is under way
 };
 
-constexpr auto enum_names(verdict) {
-  return io::names<verdict>({{verdict::accepted, "accepted"},
-                             {verdict::refused, "refused"},
-                             {verdict::timed_out, "timed_out"},
-                             {verdict::cancelled, "cancelled"},
-                             {verdict::vehicle_holds_other, "vehicle_holds_other"},
-                             {verdict::not_begun, "not_begun"}});
-}
+GODWIT_ENUM_NAMES(verdict, accepted, refused, timed_out, cancelled, vehicle_holds_other, not_begun);
 
 enum class phase {
   announcing, // MISSION_COUNT waits for the first request
@@ -61,13 +54,7 @@ enum class proof {
   read_back     // the plan was read back and means the same
 };
 
-constexpr auto enum_names(proof) {
-  return io::names<proof>({{proof::none, "none"},
-                           {proof::acknowledged, "acknowledged"},
-                           {proof::counted, "counted"},
-                           {proof::plan_id, "plan_id"},
-                           {proof::read_back, "read_back"}});
-}
+GODWIT_ENUM_NAMES(proof, none, acknowledged, counted, plan_id, read_back);
 
 // What the vehicle holds when the transfer has ended.
 enum class holding {
@@ -77,12 +64,7 @@ enum class holding {
   unknown    // this plan, the one before, or a mixture where the vehicle replaces item by item
 };
 
-constexpr auto enum_names(holding) {
-  return io::names<holding>({{holding::this_plan, "this_plan"},
-                             {holding::unchanged, "unchanged"},
-                             {holding::other, "other"},
-                             {holding::unknown, "unknown"}});
-}
+GODWIT_ENUM_NAMES(holding, this_plan, unchanged, other, unknown);
 
 struct effort {
   std::uint32_t items_sent = 0;    // with those sent again
@@ -90,10 +72,7 @@ struct effort {
   std::uint32_t requests_sent = 0; // in downloads and when reading back
   std::uint32_t warnings = 0;      // MISSION_ACK that did not end anything (ArduPilot's 13 and 1)
   std::uint32_t restarts = 0;      // begun again with MISSION_COUNT
-  static constexpr auto fields =
-      io::table("vehicle_link.transfer_effort", io::field("items_sent", &effort::items_sent),
-                io::field("items_resent", &effort::items_resent), io::field("requests_sent", &effort::requests_sent),
-                io::field("warnings", &effort::warnings), io::field("restarts", &effort::restarts));
+  GODWIT_FIELDS(effort, "vehicle_link.transfer_effort", items_sent, items_resent, requests_sent, warnings, restarts);
   bool operator==(const effort&) const = default;
 };
 
@@ -111,22 +90,15 @@ struct outcome {
   std::int64_t duration_ns = 0;
   transfer::effort effort = {};
   std::string reason = {}; // sentence for people; empty when accepted
-  static constexpr auto fields =
-      io::table("vehicle_link.transfer_outcome", io::field("verdict", &outcome::verdict),
-                io::field("mission_type", &outcome::mission_type), io::field("result", &outcome::result),
-                io::field("phase", &outcome::phase), io::field("proof", &outcome::proof),
-                io::field("holding", &outcome::holding), io::field("item", &outcome::item),
-                io::field("plan_id", &outcome::plan_id), io::field("items_on_vehicle", &outcome::items_on_vehicle),
-                io::field("items", &outcome::items), io::field("duration_ns", &outcome::duration_ns),
-                io::field("effort", &outcome::effort), io::field("reason", &outcome::reason));
+  GODWIT_FIELDS(outcome, "vehicle_link.transfer_outcome", verdict, mission_type, result, phase, proof, holding, item,
+                plan_id, items_on_vehicle, items, duration_ns, effort, reason);
 };
 
 // Item `done` of `total`; never goes down within one transfer.
 struct progress {
   std::uint16_t done = 0;
   std::uint16_t total = 0;
-  static constexpr auto fields = io::table("vehicle_link.transfer_progress", io::field("done", &progress::done),
-                                           io::field("total", &progress::total));
+  GODWIT_FIELDS(progress, "vehicle_link.transfer_progress", done, total);
   bool operator==(const progress&) const = default;
 };
 
@@ -141,23 +113,18 @@ struct upload_plan {
   io::mavlink::mav_mission_type mission_type = io::mavlink::mav_mission_type::mission;
   std::vector<io::mavlink::mission_item_int> items;
   std::optional<seen_state> only_while = {}; // as in send_command: else it is not begun
-  static constexpr auto fields =
-      io::table("vehicle_link.upload_plan", io::field("mission_type", &upload_plan::mission_type),
-                io::field("items", &upload_plan::items), io::field("only_while", &upload_plan::only_while));
+  GODWIT_FIELDS(upload_plan, "vehicle_link.upload_plan", mission_type, items, only_while);
 };
 
 struct download_plan {
   io::mavlink::mav_mission_type mission_type = io::mavlink::mav_mission_type::mission;
   bool id_suffices = false; // no items are asked for where the vehicle's MISSION_COUNT names the plan (PX4)
-  static constexpr auto fields =
-      io::table("vehicle_link.download_plan", io::field("mission_type", &download_plan::mission_type),
-                io::field("id_suffices", &download_plan::id_suffices));
+  GODWIT_FIELDS(download_plan, "vehicle_link.download_plan", mission_type, id_suffices);
 };
 
 struct clear_plan {
   io::mavlink::mav_mission_type mission_type = io::mavlink::mav_mission_type::mission;
-  static constexpr auto fields =
-      io::table("vehicle_link.clear_plan", io::field("mission_type", &clear_plan::mission_type));
+  GODWIT_FIELDS(clear_plan, "vehicle_link.clear_plan", mission_type);
 };
 
 // The transfer under way ends with `cancelled`.

@@ -33,8 +33,7 @@ struct ledger_core {
     std::uint64_t effects = 0;
     std::uint64_t last_seq = 0;
     static constexpr int version = 1;
-    static constexpr auto fields =
-        io::table("drill.ledger_state", io::field("effects", &state::effects), io::field("last_seq", &state::last_seq));
+    GODWIT_FIELDS(state, "drill.ledger_state", effects, last_seq);
   };
   using event = std::variant<work>;
   using effect = std::variant<receipt>;

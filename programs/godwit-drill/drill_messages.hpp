@@ -14,16 +14,14 @@ struct work {
   std::uint32_t sender = 0;
   std::uint64_t seq = 0;
   bool poison = false; // crashes its handler each time
-  static constexpr auto fields = io::table("drill.work", io::field("sender", &work::sender),
-                                           io::field("seq", &work::seq), io::field("poison", &work::poison));
+  GODWIT_FIELDS(work, "drill.work", sender, seq, poison);
 };
 
 // It has been handled; for one with a durable effect: and the effect is on the disk.
 struct receipt {
   std::uint32_t sender = 0;
   std::uint64_t seq = 0;
-  static constexpr auto fields =
-      io::table("drill.receipt", io::field("sender", &receipt::sender), io::field("seq", &receipt::seq));
+  GODWIT_FIELDS(receipt, "drill.receipt", sender, seq);
 };
 
 // Every tenth message has a durable effect: a row (sender, seq) of the table drill_effect.

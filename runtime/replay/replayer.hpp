@@ -36,15 +36,7 @@ enum class deviation_kind {
   can_not_take  // the input can not be handed to the actor
 };
 
-constexpr auto enum_names(deviation_kind) {
-  return io::names<deviation_kind>({{deviation_kind::differs, "differs"},
-                                    {deviation_kind::not_sent, "not_sent"},
-                                    {deviation_kind::not_recorded, "not_recorded"},
-                                    {deviation_kind::not_done, "not_done"},
-                                    {deviation_kind::crashes, "crashes"},
-                                    {deviation_kind::crashed, "crashed"},
-                                    {deviation_kind::can_not_take, "can_not_take"}});
-}
+GODWIT_ENUM_NAMES(deviation_kind, differs, not_sent, not_recorded, not_done, crashes, crashed, can_not_take);
 
 struct deviation {
   deviation_kind kind = deviation_kind::differs;

@@ -7,13 +7,6 @@ namespace godwit::runtime {
 
 enum class child_phase { absent, starting, running, stopping, waiting, given_up };
 
-constexpr auto enum_names(child_phase) {
-  return io::names<child_phase>({{child_phase::absent, "absent"},
-                                 {child_phase::starting, "starting"},
-                                 {child_phase::running, "running"},
-                                 {child_phase::stopping, "stopping"},
-                                 {child_phase::waiting, "waiting"},
-                                 {child_phase::given_up, "given_up"}});
-}
+GODWIT_ENUM_NAMES(child_phase, absent, starting, running, stopping, waiting, given_up);
 
 } // namespace godwit::runtime

@@ -44,15 +44,8 @@ enum class exit_cause {
 // From the request for a fast end to the end of the process.
 inline constexpr milliseconds fast_end{500};
 
-constexpr auto enum_names(exit_cause) {
-  return io::names<exit_cause>({{exit_cause::requested, "requested"},
-                                {exit_cause::essential_given_up, "essential_given_up"},
-                                {exit_cause::essential_silent, "essential_silent"},
-                                {exit_cause::no_free_worker, "no_free_worker"},
-                                {exit_cause::guardian_died, "guardian_died"},
-                                {exit_cause::recovery_overdue, "recovery_overdue"},
-                                {exit_cause::given_up_in_flight, "given_up_in_flight"}});
-}
+GODWIT_ENUM_NAMES(exit_cause, requested, essential_given_up, essential_silent, no_free_worker, guardian_died,
+                  recovery_overdue, given_up_in_flight);
 
 struct exit_request {
   exit_cause cause = exit_cause::requested;

@@ -19,10 +19,7 @@
 
 namespace godwit::runtime {
 
-constexpr auto enum_names(health_colour) {
-  return io::names<health_colour>(
-      {{health_colour::green, "green"}, {health_colour::yellow, "yellow"}, {health_colour::red, "red"}});
-}
+GODWIT_ENUM_NAMES(health_colour, green, yellow, red);
 
 struct child_report {
   std::string name;
@@ -34,12 +31,8 @@ struct child_report {
   bool essential = false;
   health_colour health = health_colour::green;
   std::string health_reason; // a sentence for people; empty when all is well
-  static constexpr auto fields =
-      io::table("runtime.child_report", io::field("name", &child_report::name),
-                io::field("phase", &child_report::phase), io::field("incarnation", &child_report::incarnation),
-                io::field("restarts", &child_report::restarts), io::field("last_crash", &child_report::last_crash),
-                io::field("wanted", &child_report::wanted), io::field("essential", &child_report::essential),
-                io::field("health", &child_report::health), io::field("health_reason", &child_report::health_reason));
+  GODWIT_FIELDS(child_report, "runtime.child_report", name, phase, incarnation, restarts, last_crash, wanted, essential,
+                health, health_reason);
 };
 
 // The supervisor asks, also to adopt the children after a crash of its own.
@@ -49,19 +42,12 @@ struct get_children {
 
 struct children {
   std::vector<child_report> list; // in start order
-  static constexpr auto fields = io::table("runtime.children", io::field("list", &children::list));
+  GODWIT_FIELDS(children, "runtime.children", list);
 };
 
 enum class child_event_kind { up, crashed, stopped, late, silent, gave_up };
 
-constexpr auto enum_names(child_event_kind) {
-  return io::names<child_event_kind>({{child_event_kind::up, "up"},
-                                      {child_event_kind::crashed, "crashed"},
-                                      {child_event_kind::stopped, "stopped"},
-                                      {child_event_kind::late, "late"},
-                                      {child_event_kind::silent, "silent"},
-                                      {child_event_kind::gave_up, "gave_up"}});
-}
+GODWIT_ENUM_NAMES(child_event_kind, up, crashed, stopped, late, silent, gave_up);
 
 // The guardian tells the supervisor, and the trace.
 struct child_event {
@@ -69,15 +55,13 @@ struct child_event {
   child_event_kind kind = child_event_kind::up;
   std::uint64_t incarnation = 0;
   std::string reason;
-  static constexpr auto fields =
-      io::table("runtime.child_event", io::field("name", &child_event::name), io::field("kind", &child_event::kind),
-                io::field("incarnation", &child_event::incarnation), io::field("reason", &child_event::reason));
+  GODWIT_FIELDS(child_event, "runtime.child_event", name, kind, incarnation, reason);
 };
 
 // The guardian tells who has asked for it (system::tell_who_lives), each time that NAME has begun or answered a ping.
 struct child_alive {
   std::string name;
-  static constexpr auto fields = io::table("runtime.child_alive", io::field("name", &child_alive::name));
+  GODWIT_FIELDS(child_alive, "runtime.child_alive", name);
 };
 
 // What holds for a child from now on.
@@ -85,17 +69,14 @@ struct child_entry {
   std::string name;
   bool wanted = true; // else it is stopped; its tells are dropped, its asks refused, and durable effects wait
   child_policy policy;
-  static constexpr auto fields =
-      io::table("runtime.child_entry", io::field("name", &child_entry::name), io::field("wanted", &child_entry::wanted),
-                io::field("policy", &child_entry::policy));
+  GODWIT_FIELDS(child_entry, "runtime.child_entry", name, wanted, policy);
 };
 
 // Of a table: which incarnation of the supervisor has made it, and its how manieth it is. The later one counts.
 struct table_epoch {
   std::uint64_t incarnation = 0;
   std::uint64_t n = 0;
-  static constexpr auto fields = io::table("runtime.table_epoch", io::field("incarnation", &table_epoch::incarnation),
-                                           io::field("n", &table_epoch::n));
+  GODWIT_FIELDS(table_epoch, "runtime.table_epoch", incarnation, n);
   friend auto operator<=>(const table_epoch&, const table_epoch&) = default;
 };
 
@@ -106,15 +87,13 @@ struct supervise {
   table_epoch epoch;
   std::uint64_t revivals = 0;
   std::vector<child_entry> list;
-  static constexpr auto fields =
-      io::table("runtime.supervise", io::field("epoch", &supervise::epoch), io::field("revivals", &supervise::revivals),
-                io::field("list", &supervise::list));
+  GODWIT_FIELDS(supervise, "runtime.supervise", epoch, revivals, list);
 };
 
 // The answer: of the table that holds now.
 struct supervised {
   table_epoch epoch;
-  static constexpr auto fields = io::table("runtime.supervised", io::field("epoch", &supervised::epoch));
+  GODWIT_FIELDS(supervised, "runtime.supervised", epoch);
 };
 
 } // namespace godwit::runtime

@@ -29,10 +29,7 @@ struct restart_policy {
   milliseconds backoff_initial{100};
   milliseconds backoff_max{5'000};
   double jitter = 0.2; // fraction of the wait
-  static constexpr auto fields = io::table(
-      "runtime.restart_policy", io::field("intensity", &restart_policy::intensity),
-      io::field("period", &restart_policy::period), io::field("backoff_initial", &restart_policy::backoff_initial),
-      io::field("backoff_max", &restart_policy::backoff_max), io::field("jitter", &restart_policy::jitter));
+  GODWIT_FIELDS(restart_policy, "runtime.restart_policy", intensity, period, backoff_initial, backoff_max, jitter);
 };
 
 // A ping goes out every `period`. An answer later than `warn` is a warning, later than `fatal` counts as a crash.
@@ -40,9 +37,7 @@ struct ping_policy {
   milliseconds period{1'000};
   milliseconds warn{3'000};
   milliseconds fatal{10'000};
-  static constexpr auto fields =
-      io::table("runtime.ping_policy", io::field("period", &ping_policy::period), io::field("warn", &ping_policy::warn),
-                io::field("fatal", &ping_policy::fatal));
+  GODWIT_FIELDS(ping_policy, "runtime.ping_policy", period, warn, fatal);
 };
 
 // How the process ends because of a child that can not be kept up.
@@ -51,17 +46,13 @@ enum class process_end {
   fast_once // a vehicle flies: within half a second, and only if the composition says that it helps; else it goes on
 };
 
-constexpr auto enum_names(process_end) {
-  return io::names<process_end>({{process_end::in_order, "in_order"}, {process_end::fast_once, "fast_once"}});
-}
+GODWIT_ENUM_NAMES(process_end, in_order, fast_once);
 
 struct child_policy {
   bool essential = false; // given up or hanging: the process ends, and the service manager starts it again
   restart_policy restart;
   process_end end = process_end::in_order; // also of a child that is not essential and whose recovery hangs
-  static constexpr auto fields =
-      io::table("runtime.child_policy", io::field("essential", &child_policy::essential),
-                io::field("restart", &child_policy::restart), io::field("end", &child_policy::end));
+  GODWIT_FIELDS(child_policy, "runtime.child_policy", essential, restart, end);
 };
 
 } // namespace godwit::runtime

@@ -22,8 +22,7 @@ namespace godwit::runtime {
 struct trace_loss {
   std::uint64_t dropped = 0;   // a ring was full
   std::uint64_t unwritten = 0; // the disk refused
-  static constexpr auto fields = io::table("runtime.trace_loss", io::field("dropped", &trace_loss::dropped),
-                                           io::field("unwritten", &trace_loss::unwritten));
+  GODWIT_FIELDS(trace_loss, "runtime.trace_loss", dropped, unwritten);
 };
 
 class trace_renderer {

@@ -18,13 +18,7 @@ enum class outcome : std::uint8_t {
   fenced,       // an incarnation that had been replaced woke up; what it sent was held back
 };
 
-constexpr auto enum_names(outcome) {
-  return io::names<outcome>({{outcome::handled, "handled"},
-                             {outcome::crashed, "crashed"},
-                             {outcome::repetition, "repetition"},
-                             {outcome::not_accepted, "not_accepted"},
-                             {outcome::fenced, "fenced"}});
-}
+GODWIT_ENUM_NAMES(outcome, handled, crashed, repetition, not_accepted, fenced);
 
 struct trace_entry {
   std::int64_t began = 0; // in the sink's ticks

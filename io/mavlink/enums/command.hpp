@@ -22,19 +22,8 @@ enum class mav_result : std::uint8_t {
   not_in_control = 10,
 };
 
-constexpr auto enum_names(mav_result) {
-  return names<mav_result>({{mav_result::accepted, "accepted"},
-                            {mav_result::temporarily_rejected, "temporarily_rejected"},
-                            {mav_result::denied, "denied"},
-                            {mav_result::unsupported, "unsupported"},
-                            {mav_result::failed, "failed"},
-                            {mav_result::in_progress, "in_progress"},
-                            {mav_result::cancelled, "cancelled"},
-                            {mav_result::command_long_only, "command_long_only"},
-                            {mav_result::command_int_only, "command_int_only"},
-                            {mav_result::unsupported_mav_frame, "unsupported_mav_frame"},
-                            {mav_result::not_in_control, "not_in_control"}});
-}
+GODWIT_ENUM_NAMES(mav_result, accepted, temporarily_rejected, denied, unsupported, failed, in_progress, cancelled,
+                  command_long_only, command_int_only, unsupported_mav_frame, not_in_control);
 
 // Commands, as items of a plan or as orders. What their parameters mean:
 enum class mav_cmd : std::uint16_t {

@@ -29,26 +29,9 @@ enum class mav_type : std::uint8_t {
   vtol_fixedrotor = 22,
 };
 
-constexpr auto enum_names(mav_type) {
-  return names<mav_type>({{mav_type::generic, "generic"},
-                          {mav_type::fixed_wing, "fixed_wing"},
-                          {mav_type::quadrotor, "quadrotor"},
-                          {mav_type::coaxial, "coaxial"},
-                          {mav_type::helicopter, "helicopter"},
-                          {mav_type::antenna_tracker, "antenna_tracker"},
-                          {mav_type::gcs, "gcs"},
-                          {mav_type::ground_rover, "ground_rover"},
-                          {mav_type::surface_boat, "surface_boat"},
-                          {mav_type::submarine, "submarine"},
-                          {mav_type::hexarotor, "hexarotor"},
-                          {mav_type::octorotor, "octorotor"},
-                          {mav_type::tricopter, "tricopter"},
-                          {mav_type::onboard_controller, "onboard_controller"},
-                          {mav_type::vtol_tailsitter_duorotor, "vtol_tailsitter_duorotor"},
-                          {mav_type::vtol_tailsitter_quadrotor, "vtol_tailsitter_quadrotor"},
-                          {mav_type::vtol_tiltrotor, "vtol_tiltrotor"},
-                          {mav_type::vtol_fixedrotor, "vtol_fixedrotor"}});
-}
+GODWIT_ENUM_NAMES(mav_type, generic, fixed_wing, quadrotor, coaxial, helicopter, antenna_tracker, gcs, ground_rover,
+                  surface_boat, submarine, hexarotor, octorotor, tricopter, onboard_controller,
+                  vtol_tailsitter_duorotor, vtol_tailsitter_quadrotor, vtol_tiltrotor, vtol_fixedrotor);
 
 enum class mav_autopilot : std::uint8_t {
   generic = 0,
@@ -57,12 +40,7 @@ enum class mav_autopilot : std::uint8_t {
   px4 = 12,
 };
 
-constexpr auto enum_names(mav_autopilot) {
-  return names<mav_autopilot>({{mav_autopilot::generic, "generic"},
-                               {mav_autopilot::ardupilotmega, "ardupilotmega"},
-                               {mav_autopilot::invalid, "invalid"},
-                               {mav_autopilot::px4, "px4"}});
-}
+GODWIT_ENUM_NAMES(mav_autopilot, generic, ardupilotmega, invalid, px4);
 
 enum class mav_state : std::uint8_t {
   uninit = 0,
@@ -76,17 +54,8 @@ enum class mav_state : std::uint8_t {
   flight_termination = 8,
 };
 
-constexpr auto enum_names(mav_state) {
-  return names<mav_state>({{mav_state::uninit, "uninit"},
-                           {mav_state::boot, "boot"},
-                           {mav_state::calibrating, "calibrating"},
-                           {mav_state::standby, "standby"},
-                           {mav_state::active, "active"},
-                           {mav_state::critical, "critical"},
-                           {mav_state::emergency, "emergency"},
-                           {mav_state::poweroff, "poweroff"},
-                           {mav_state::flight_termination, "flight_termination"}});
-}
+GODWIT_ENUM_NAMES(mav_state, uninit, boot, calibrating, standby, active, critical, emergency, poweroff,
+                  flight_termination);
 
 enum class mav_landed_state : std::uint8_t {
   undefined = 0,
@@ -96,13 +65,7 @@ enum class mav_landed_state : std::uint8_t {
   landing = 4,
 };
 
-constexpr auto enum_names(mav_landed_state) {
-  return names<mav_landed_state>({{mav_landed_state::undefined, "undefined"},
-                                  {mav_landed_state::on_ground, "on_ground"},
-                                  {mav_landed_state::in_air, "in_air"},
-                                  {mav_landed_state::takeoff, "takeoff"},
-                                  {mav_landed_state::landing, "landing"}});
-}
+GODWIT_ENUM_NAMES(mav_landed_state, undefined, on_ground, in_air, takeoff, landing);
 
 // As in RFC 5424.
 enum class mav_severity : std::uint8_t {
@@ -116,16 +79,7 @@ enum class mav_severity : std::uint8_t {
   debug = 7,
 };
 
-constexpr auto enum_names(mav_severity) {
-  return names<mav_severity>({{mav_severity::emergency, "emergency"},
-                              {mav_severity::alert, "alert"},
-                              {mav_severity::critical, "critical"},
-                              {mav_severity::error, "error"},
-                              {mav_severity::warning, "warning"},
-                              {mav_severity::notice, "notice"},
-                              {mav_severity::info, "info"},
-                              {mav_severity::debug, "debug"}});
-}
+GODWIT_ENUM_NAMES(mav_severity, emergency, alert, critical, error, warning, notice, info, debug);
 
 // What a satellite receiver can tell.
 enum class gps_fix_type : std::uint8_t {
@@ -140,17 +94,7 @@ enum class gps_fix_type : std::uint8_t {
   ppp = 8,
 };
 
-constexpr auto enum_names(gps_fix_type) {
-  return names<gps_fix_type>({{gps_fix_type::no_gps, "no_gps"},
-                              {gps_fix_type::no_fix, "no_fix"},
-                              {gps_fix_type::fix_2d, "fix_2d"},
-                              {gps_fix_type::fix_3d, "fix_3d"},
-                              {gps_fix_type::dgps, "dgps"},
-                              {gps_fix_type::rtk_float, "rtk_float"},
-                              {gps_fix_type::rtk_fixed, "rtk_fixed"},
-                              {gps_fix_type::fixed_position, "fixed_position"},
-                              {gps_fix_type::ppp, "ppp"}});
-}
+GODWIT_ENUM_NAMES(gps_fix_type, no_gps, no_fix, fix_2d, fix_3d, dgps, rtk_float, rtk_fixed, fixed_position, ppp);
 
 // Bits of HEARTBEAT.base_mode.
 enum class mav_mode_flag : std::uint8_t {
@@ -164,16 +108,8 @@ enum class mav_mode_flag : std::uint8_t {
   safety_armed = 128,
 };
 
-constexpr auto enum_names(mav_mode_flag) {
-  return names<mav_mode_flag>({{mav_mode_flag::custom_mode_enabled, "custom_mode_enabled"},
-                               {mav_mode_flag::test_enabled, "test_enabled"},
-                               {mav_mode_flag::auto_enabled, "auto_enabled"},
-                               {mav_mode_flag::guided_enabled, "guided_enabled"},
-                               {mav_mode_flag::stabilize_enabled, "stabilize_enabled"},
-                               {mav_mode_flag::hil_enabled, "hil_enabled"},
-                               {mav_mode_flag::manual_input_enabled, "manual_input_enabled"},
-                               {mav_mode_flag::safety_armed, "safety_armed"}});
-}
+GODWIT_ENUM_NAMES(mav_mode_flag, custom_mode_enabled, test_enabled, auto_enabled, guided_enabled, stabilize_enabled,
+                  hil_enabled, manual_input_enabled, safety_armed);
 
 // Component ids.
 enum class mav_component : std::uint8_t {
@@ -183,11 +119,6 @@ enum class mav_component : std::uint8_t {
   onboard_computer = 191,
 };
 
-constexpr auto enum_names(mav_component) {
-  return names<mav_component>({{mav_component::all, "all"},
-                               {mav_component::autopilot1, "autopilot1"},
-                               {mav_component::missionplanner, "missionplanner"},
-                               {mav_component::onboard_computer, "onboard_computer"}});
-}
+GODWIT_ENUM_NAMES(mav_component, all, autopilot1, missionplanner, onboard_computer);
 
 } // namespace godwit::io::mavlink

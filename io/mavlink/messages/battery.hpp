@@ -27,16 +27,9 @@ struct battery_status {
   static constexpr std::uint32_t message_id = 147;
   static constexpr std::uint8_t crc_extra = 154;
   static constexpr std::size_t extensions = 5;
-  static constexpr auto fields = table(
-      "BATTERY_STATUS", field("id", &battery_status::id), field("battery_function", &battery_status::battery_function),
-      field("type", &battery_status::type), field("temperature", &battery_status::temperature),
-      field("voltages", &battery_status::voltages), field("current_battery", &battery_status::current_battery),
-      field("current_consumed", &battery_status::current_consumed),
-      field("energy_consumed", &battery_status::energy_consumed),
-      field("battery_remaining", &battery_status::battery_remaining),
-      field("time_remaining", &battery_status::time_remaining), field("charge_state", &battery_status::charge_state),
-      field("voltages_ext", &battery_status::voltages_ext), field("mode", &battery_status::mode),
-      field("fault_bitmask", &battery_status::fault_bitmask));
+  GODWIT_FIELDS(battery_status, "BATTERY_STATUS", id, battery_function, type, temperature, voltages, current_battery,
+                current_consumed, energy_consumed, battery_remaining, time_remaining, charge_state, voltages_ext, mode,
+                fault_bitmask);
 };
 
 } // namespace godwit::io::mavlink

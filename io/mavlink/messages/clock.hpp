@@ -14,8 +14,7 @@ struct system_time {
 
   static constexpr std::uint32_t message_id = 2;
   static constexpr std::uint8_t crc_extra = 137;
-  static constexpr auto fields = table("SYSTEM_TIME", field("time_unix_usec", &system_time::time_unix_usec),
-                                       field("time_boot_ms", &system_time::time_boot_ms));
+  GODWIT_FIELDS(system_time, "SYSTEM_TIME", time_unix_usec, time_boot_ms);
 };
 
 // Target 0/0 is the question; the answer repeats it and names the asker.
@@ -27,9 +26,7 @@ struct ping {
 
   static constexpr std::uint32_t message_id = 4;
   static constexpr std::uint8_t crc_extra = 237;
-  static constexpr auto fields =
-      table("PING", field("time_usec", &ping::time_usec), field("seq", &ping::seq),
-            field("target_system", &ping::target_system), field("target_component", &ping::target_component));
+  GODWIT_FIELDS(ping, "PING", time_usec, seq, target_system, target_component);
 };
 
 // tc1 = 0 is the question; the answer repeats ts1 and fills tc1 with its own clock.
@@ -42,9 +39,7 @@ struct timesync {
   static constexpr std::uint32_t message_id = 111;
   static constexpr std::uint8_t crc_extra = 34;
   static constexpr std::size_t extensions = 2;
-  static constexpr auto fields =
-      table("TIMESYNC", field("tc1", &timesync::tc1), field("ts1", &timesync::ts1),
-            field("target_system", &timesync::target_system), field("target_component", &timesync::target_component));
+  GODWIT_FIELDS(timesync, "TIMESYNC", tc1, ts1, target_system, target_component);
 };
 
 } // namespace godwit::io::mavlink

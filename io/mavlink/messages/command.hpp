@@ -15,9 +15,7 @@ struct set_mode {
 
   static constexpr std::uint32_t message_id = 11;
   static constexpr std::uint8_t crc_extra = 89;
-  static constexpr auto fields =
-      table("SET_MODE", field("target_system", &set_mode::target_system), field("base_mode", &set_mode::base_mode),
-            field("custom_mode", &set_mode::custom_mode));
+  GODWIT_FIELDS(set_mode, "SET_MODE", target_system, base_mode, custom_mode);
 };
 
 // For commands with a position: a float would round latitude and longitude to about a metre.
@@ -38,14 +36,8 @@ struct command_int {
 
   static constexpr std::uint32_t message_id = 75;
   static constexpr std::uint8_t crc_extra = 158;
-  static constexpr auto fields =
-      table("COMMAND_INT", field("target_system", &command_int::target_system),
-            field("target_component", &command_int::target_component), field("frame", &command_int::frame),
-            field("command", &command_int::command), field("current", &command_int::current),
-            field("autocontinue", &command_int::autocontinue), field("param1", &command_int::param1),
-            field("param2", &command_int::param2), field("param3", &command_int::param3),
-            field("param4", &command_int::param4), field("x", &command_int::x), field("y", &command_int::y),
-            field("z", &command_int::z));
+  GODWIT_FIELDS(command_int, "COMMAND_INT", target_system, target_component, frame, command, current, autocontinue,
+                param1, param2, param3, param4, x, y, z);
 };
 
 struct command_long {
@@ -63,13 +55,8 @@ struct command_long {
 
   static constexpr std::uint32_t message_id = 76;
   static constexpr std::uint8_t crc_extra = 152;
-  static constexpr auto fields =
-      table("COMMAND_LONG", field("target_system", &command_long::target_system),
-            field("target_component", &command_long::target_component), field("command", &command_long::command),
-            field("confirmation", &command_long::confirmation), field("param1", &command_long::param1),
-            field("param2", &command_long::param2), field("param3", &command_long::param3),
-            field("param4", &command_long::param4), field("param5", &command_long::param5),
-            field("param6", &command_long::param6), field("param7", &command_long::param7));
+  GODWIT_FIELDS(command_long, "COMMAND_LONG", target_system, target_component, command, confirmation, param1, param2,
+                param3, param4, param5, param6, param7);
 };
 
 // The target is 0/0 from senders that do not know it.
@@ -84,10 +71,7 @@ struct command_ack {
   static constexpr std::uint32_t message_id = 77;
   static constexpr std::uint8_t crc_extra = 143;
   static constexpr std::size_t extensions = 4;
-  static constexpr auto fields = table(
-      "COMMAND_ACK", field("command", &command_ack::command), field("result", &command_ack::result),
-      field("progress", &command_ack::progress), field("result_param2", &command_ack::result_param2),
-      field("target_system", &command_ack::target_system), field("target_component", &command_ack::target_component));
+  GODWIT_FIELDS(command_ack, "COMMAND_ACK", command, result, progress, result_param2, target_system, target_component);
 };
 
 struct command_cancel {
@@ -97,9 +81,7 @@ struct command_cancel {
 
   static constexpr std::uint32_t message_id = 80;
   static constexpr std::uint8_t crc_extra = 14;
-  static constexpr auto fields =
-      table("COMMAND_CANCEL", field("target_system", &command_cancel::target_system),
-            field("target_component", &command_cancel::target_component), field("command", &command_cancel::command));
+  GODWIT_FIELDS(command_cancel, "COMMAND_CANCEL", target_system, target_component, command);
 };
 
 } // namespace godwit::io::mavlink

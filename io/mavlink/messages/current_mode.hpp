@@ -16,9 +16,7 @@ struct current_mode {
 
   static constexpr std::uint32_t message_id = 436;
   static constexpr std::uint8_t crc_extra = 193;
-  static constexpr auto fields = table("CURRENT_MODE", field("standard_mode", &current_mode::standard_mode),
-                                       field("custom_mode", &current_mode::custom_mode),
-                                       field("intended_custom_mode", &current_mode::intended_custom_mode));
+  GODWIT_FIELDS(current_mode, "CURRENT_MODE", standard_mode, custom_mode, intended_custom_mode);
 };
 
 } // namespace godwit::io::mavlink

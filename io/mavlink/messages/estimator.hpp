@@ -23,13 +23,8 @@ struct ekf_status_report {
   static constexpr std::uint32_t message_id = 193;
   static constexpr std::uint8_t crc_extra = 71;
   static constexpr std::size_t extensions = 1;
-  static constexpr auto fields = table("EKF_STATUS_REPORT", field("flags", &ekf_status_report::flags),
-                                       field("velocity_variance", &ekf_status_report::velocity_variance),
-                                       field("pos_horiz_variance", &ekf_status_report::pos_horiz_variance),
-                                       field("pos_vert_variance", &ekf_status_report::pos_vert_variance),
-                                       field("compass_variance", &ekf_status_report::compass_variance),
-                                       field("terrain_alt_variance", &ekf_status_report::terrain_alt_variance),
-                                       field("airspeed_variance", &ekf_status_report::airspeed_variance));
+  GODWIT_FIELDS(ekf_status_report, "EKF_STATUS_REPORT", flags, velocity_variance, pos_horiz_variance, pos_vert_variance,
+                compass_variance, terrain_alt_variance, airspeed_variance);
 };
 
 struct estimator_status {
@@ -46,13 +41,8 @@ struct estimator_status {
 
   static constexpr std::uint32_t message_id = 230;
   static constexpr std::uint8_t crc_extra = 163;
-  static constexpr auto fields = table(
-      "ESTIMATOR_STATUS", field("time_usec", &estimator_status::time_usec), field("flags", &estimator_status::flags),
-      field("vel_ratio", &estimator_status::vel_ratio), field("pos_horiz_ratio", &estimator_status::pos_horiz_ratio),
-      field("pos_vert_ratio", &estimator_status::pos_vert_ratio), field("mag_ratio", &estimator_status::mag_ratio),
-      field("hagl_ratio", &estimator_status::hagl_ratio), field("tas_ratio", &estimator_status::tas_ratio),
-      field("pos_horiz_accuracy", &estimator_status::pos_horiz_accuracy),
-      field("pos_vert_accuracy", &estimator_status::pos_vert_accuracy));
+  GODWIT_FIELDS(estimator_status, "ESTIMATOR_STATUS", time_usec, flags, vel_ratio, pos_horiz_ratio, pos_vert_ratio,
+                mag_ratio, hagl_ratio, tas_ratio, pos_horiz_accuracy, pos_vert_accuracy);
 };
 
 } // namespace godwit::io::mavlink

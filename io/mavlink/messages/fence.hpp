@@ -17,10 +17,7 @@ struct fence_status {
   static constexpr std::uint32_t message_id = 162;
   static constexpr std::uint8_t crc_extra = 189;
   static constexpr std::size_t extensions = 1;
-  static constexpr auto fields = table(
-      "FENCE_STATUS", field("breach_status", &fence_status::breach_status),
-      field("breach_count", &fence_status::breach_count), field("breach_type", &fence_status::breach_type),
-      field("breach_time", &fence_status::breach_time), field("breach_mitigation", &fence_status::breach_mitigation));
+  GODWIT_FIELDS(fence_status, "FENCE_STATUS", breach_status, breach_count, breach_type, breach_time, breach_mitigation);
 };
 
 } // namespace godwit::io::mavlink

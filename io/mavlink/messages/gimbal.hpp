@@ -42,18 +42,9 @@ struct gimbal_device_attitude_status {
   static constexpr std::uint32_t message_id = 285;
   static constexpr std::uint8_t crc_extra = 137;
   static constexpr std::size_t extensions = 3;
-  static constexpr auto fields =
-      table("GIMBAL_DEVICE_ATTITUDE_STATUS", field("target_system", &gimbal_device_attitude_status::target_system),
-            field("target_component", &gimbal_device_attitude_status::target_component),
-            field("time_boot_ms", &gimbal_device_attitude_status::time_boot_ms),
-            field("flags", &gimbal_device_attitude_status::flags), field("q", &gimbal_device_attitude_status::q),
-            field("angular_velocity_x", &gimbal_device_attitude_status::angular_velocity_x),
-            field("angular_velocity_y", &gimbal_device_attitude_status::angular_velocity_y),
-            field("angular_velocity_z", &gimbal_device_attitude_status::angular_velocity_z),
-            field("failure_flags", &gimbal_device_attitude_status::failure_flags),
-            field("delta_yaw", &gimbal_device_attitude_status::delta_yaw),
-            field("delta_yaw_velocity", &gimbal_device_attitude_status::delta_yaw_velocity),
-            field("gimbal_device_id", &gimbal_device_attitude_status::gimbal_device_id));
+  GODWIT_FIELDS(gimbal_device_attitude_status, "GIMBAL_DEVICE_ATTITUDE_STATUS", target_system, target_component,
+                time_boot_ms, flags, q, angular_velocity_x, angular_velocity_y, angular_velocity_z, failure_flags,
+                delta_yaw, delta_yaw_velocity, gimbal_device_id);
 };
 
 } // namespace godwit::io::mavlink

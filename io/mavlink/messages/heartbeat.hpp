@@ -20,10 +20,7 @@ struct heartbeat {
 
   static constexpr std::uint32_t message_id = 0;
   static constexpr std::uint8_t crc_extra = 50;
-  static constexpr auto fields =
-      table("HEARTBEAT", field("type", &heartbeat::type), field("autopilot", &heartbeat::autopilot),
-            field("base_mode", &heartbeat::base_mode), field("custom_mode", &heartbeat::custom_mode),
-            field("system_status", &heartbeat::system_status), field("mavlink_version", &heartbeat::mavlink_version));
+  GODWIT_FIELDS(heartbeat, "HEARTBEAT", type, autopilot, base_mode, custom_mode, system_status, mavlink_version);
 };
 
 struct sys_status {
@@ -47,19 +44,11 @@ struct sys_status {
   static constexpr std::uint32_t message_id = 1;
   static constexpr std::uint8_t crc_extra = 124;
   static constexpr std::size_t extensions = 3;
-  static constexpr auto fields =
-      table("SYS_STATUS", field("onboard_control_sensors_present", &sys_status::onboard_control_sensors_present),
-            field("onboard_control_sensors_enabled", &sys_status::onboard_control_sensors_enabled),
-            field("onboard_control_sensors_health", &sys_status::onboard_control_sensors_health),
-            field("load", &sys_status::load), field("voltage_battery", &sys_status::voltage_battery),
-            field("current_battery", &sys_status::current_battery),
-            field("battery_remaining", &sys_status::battery_remaining),
-            field("drop_rate_comm", &sys_status::drop_rate_comm), field("errors_comm", &sys_status::errors_comm),
-            field("errors_count1", &sys_status::errors_count1), field("errors_count2", &sys_status::errors_count2),
-            field("errors_count3", &sys_status::errors_count3), field("errors_count4", &sys_status::errors_count4),
-            field("onboard_control_sensors_present_extended", &sys_status::onboard_control_sensors_present_extended),
-            field("onboard_control_sensors_enabled_extended", &sys_status::onboard_control_sensors_enabled_extended),
-            field("onboard_control_sensors_health_extended", &sys_status::onboard_control_sensors_health_extended));
+  GODWIT_FIELDS(sys_status, "SYS_STATUS", onboard_control_sensors_present, onboard_control_sensors_enabled,
+                onboard_control_sensors_health, load, voltage_battery, current_battery, battery_remaining,
+                drop_rate_comm, errors_comm, errors_count1, errors_count2, errors_count3, errors_count4,
+                onboard_control_sensors_present_extended, onboard_control_sensors_enabled_extended,
+                onboard_control_sensors_health_extended);
 };
 
 struct extended_sys_state {
@@ -68,8 +57,7 @@ struct extended_sys_state {
 
   static constexpr std::uint32_t message_id = 245;
   static constexpr std::uint8_t crc_extra = 130;
-  static constexpr auto fields = table("EXTENDED_SYS_STATE", field("vtol_state", &extended_sys_state::vtol_state),
-                                       field("landed_state", &extended_sys_state::landed_state));
+  GODWIT_FIELDS(extended_sys_state, "EXTENDED_SYS_STATE", vtol_state, landed_state);
 };
 
 // The text fills all 50 characters or ends with a NUL. Longer texts come in several frames with the same id.
@@ -82,9 +70,7 @@ struct statustext {
   static constexpr std::uint32_t message_id = 253;
   static constexpr std::uint8_t crc_extra = 83;
   static constexpr std::size_t extensions = 2;
-  static constexpr auto fields =
-      table("STATUSTEXT", field("severity", &statustext::severity), field("text", &statustext::text),
-            field("id", &statustext::id), field("chunk_seq", &statustext::chunk_seq));
+  GODWIT_FIELDS(statustext, "STATUSTEXT", severity, text, id, chunk_seq);
 };
 
 } // namespace godwit::io::mavlink

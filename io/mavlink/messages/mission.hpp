@@ -15,9 +15,7 @@ struct mission_set_current {
 
   static constexpr std::uint32_t message_id = 41;
   static constexpr std::uint8_t crc_extra = 28;
-  static constexpr auto fields =
-      table("MISSION_SET_CURRENT", field("target_system", &mission_set_current::target_system),
-            field("target_component", &mission_set_current::target_component), field("seq", &mission_set_current::seq));
+  GODWIT_FIELDS(mission_set_current, "MISSION_SET_CURRENT", target_system, target_component, seq);
 };
 
 // The ids are those of the plans that the vehicle holds, 0 for none or if it does not keep any.
@@ -33,11 +31,8 @@ struct mission_current {
   static constexpr std::uint32_t message_id = 42;
   static constexpr std::uint8_t crc_extra = 28;
   static constexpr std::size_t extensions = 6;
-  static constexpr auto fields =
-      table("MISSION_CURRENT", field("seq", &mission_current::seq), field("total", &mission_current::total),
-            field("mission_state", &mission_current::mission_state),
-            field("mission_mode", &mission_current::mission_mode), field("mission_id", &mission_current::mission_id),
-            field("fence_id", &mission_current::fence_id), field("rally_points_id", &mission_current::rally_points_id));
+  GODWIT_FIELDS(mission_current, "MISSION_CURRENT", seq, total, mission_state, mission_mode, mission_id, fence_id,
+                rally_points_id);
 };
 
 struct mission_item_reached {
@@ -45,7 +40,7 @@ struct mission_item_reached {
 
   static constexpr std::uint32_t message_id = 46;
   static constexpr std::uint8_t crc_extra = 11;
-  static constexpr auto fields = table("MISSION_ITEM_REACHED", field("seq", &mission_item_reached::seq));
+  GODWIT_FIELDS(mission_item_reached, "MISSION_ITEM_REACHED", seq);
 };
 
 } // namespace godwit::io::mavlink

@@ -29,14 +29,8 @@ struct mission_item {
   static constexpr std::uint32_t message_id = 39;
   static constexpr std::uint8_t crc_extra = 254;
   static constexpr std::size_t extensions = 1;
-  static constexpr auto fields = table(
-      "MISSION_ITEM", field("target_system", &mission_item::target_system),
-      field("target_component", &mission_item::target_component), field("seq", &mission_item::seq),
-      field("frame", &mission_item::frame), field("command", &mission_item::command),
-      field("current", &mission_item::current), field("autocontinue", &mission_item::autocontinue),
-      field("param1", &mission_item::param1), field("param2", &mission_item::param2),
-      field("param3", &mission_item::param3), field("param4", &mission_item::param4), field("x", &mission_item::x),
-      field("y", &mission_item::y), field("z", &mission_item::z), field("mission_type", &mission_item::mission_type));
+  GODWIT_FIELDS(mission_item, "MISSION_ITEM", target_system, target_component, seq, frame, command, current,
+                autocontinue, param1, param2, param3, param4, x, y, z, mission_type);
 };
 
 struct mission_request {
@@ -48,10 +42,7 @@ struct mission_request {
   static constexpr std::uint32_t message_id = 40;
   static constexpr std::uint8_t crc_extra = 230;
   static constexpr std::size_t extensions = 1;
-  static constexpr auto fields =
-      table("MISSION_REQUEST", field("target_system", &mission_request::target_system),
-            field("target_component", &mission_request::target_component), field("seq", &mission_request::seq),
-            field("mission_type", &mission_request::mission_type));
+  GODWIT_FIELDS(mission_request, "MISSION_REQUEST", target_system, target_component, seq, mission_type);
 };
 
 struct mission_request_list {
@@ -62,10 +53,7 @@ struct mission_request_list {
   static constexpr std::uint32_t message_id = 43;
   static constexpr std::uint8_t crc_extra = 132;
   static constexpr std::size_t extensions = 1;
-  static constexpr auto fields =
-      table("MISSION_REQUEST_LIST", field("target_system", &mission_request_list::target_system),
-            field("target_component", &mission_request_list::target_component),
-            field("mission_type", &mission_request_list::mission_type));
+  GODWIT_FIELDS(mission_request_list, "MISSION_REQUEST_LIST", target_system, target_component, mission_type);
 };
 
 struct mission_count {
@@ -78,10 +66,7 @@ struct mission_count {
   static constexpr std::uint32_t message_id = 44;
   static constexpr std::uint8_t crc_extra = 221;
   static constexpr std::size_t extensions = 2;
-  static constexpr auto fields =
-      table("MISSION_COUNT", field("target_system", &mission_count::target_system),
-            field("target_component", &mission_count::target_component), field("count", &mission_count::count),
-            field("mission_type", &mission_count::mission_type), field("opaque_id", &mission_count::opaque_id));
+  GODWIT_FIELDS(mission_count, "MISSION_COUNT", target_system, target_component, count, mission_type, opaque_id);
 };
 
 struct mission_clear_all {
@@ -92,9 +77,7 @@ struct mission_clear_all {
   static constexpr std::uint32_t message_id = 45;
   static constexpr std::uint8_t crc_extra = 232;
   static constexpr std::size_t extensions = 1;
-  static constexpr auto fields = table("MISSION_CLEAR_ALL", field("target_system", &mission_clear_all::target_system),
-                                       field("target_component", &mission_clear_all::target_component),
-                                       field("mission_type", &mission_clear_all::mission_type));
+  GODWIT_FIELDS(mission_clear_all, "MISSION_CLEAR_ALL", target_system, target_component, mission_type);
 };
 
 struct mission_ack {
@@ -107,10 +90,7 @@ struct mission_ack {
   static constexpr std::uint32_t message_id = 47;
   static constexpr std::uint8_t crc_extra = 153;
   static constexpr std::size_t extensions = 2;
-  static constexpr auto fields =
-      table("MISSION_ACK", field("target_system", &mission_ack::target_system),
-            field("target_component", &mission_ack::target_component), field("type", &mission_ack::type),
-            field("mission_type", &mission_ack::mission_type), field("opaque_id", &mission_ack::opaque_id));
+  GODWIT_FIELDS(mission_ack, "MISSION_ACK", target_system, target_component, type, mission_type, opaque_id);
 };
 
 struct mission_request_int {
@@ -122,10 +102,7 @@ struct mission_request_int {
   static constexpr std::uint32_t message_id = 51;
   static constexpr std::uint8_t crc_extra = 196;
   static constexpr std::size_t extensions = 1;
-  static constexpr auto fields =
-      table("MISSION_REQUEST_INT", field("target_system", &mission_request_int::target_system),
-            field("target_component", &mission_request_int::target_component), field("seq", &mission_request_int::seq),
-            field("mission_type", &mission_request_int::mission_type));
+  GODWIT_FIELDS(mission_request_int, "MISSION_REQUEST_INT", target_system, target_component, seq, mission_type);
 };
 
 struct mission_item_int {
@@ -148,15 +125,8 @@ struct mission_item_int {
   static constexpr std::uint32_t message_id = 73;
   static constexpr std::uint8_t crc_extra = 38;
   static constexpr std::size_t extensions = 1;
-  static constexpr auto fields =
-      table("MISSION_ITEM_INT", field("target_system", &mission_item_int::target_system),
-            field("target_component", &mission_item_int::target_component), field("seq", &mission_item_int::seq),
-            field("frame", &mission_item_int::frame), field("command", &mission_item_int::command),
-            field("current", &mission_item_int::current), field("autocontinue", &mission_item_int::autocontinue),
-            field("param1", &mission_item_int::param1), field("param2", &mission_item_int::param2),
-            field("param3", &mission_item_int::param3), field("param4", &mission_item_int::param4),
-            field("x", &mission_item_int::x), field("y", &mission_item_int::y), field("z", &mission_item_int::z),
-            field("mission_type", &mission_item_int::mission_type));
+  GODWIT_FIELDS(mission_item_int, "MISSION_ITEM_INT", target_system, target_component, seq, frame, command, current,
+                autocontinue, param1, param2, param3, param4, x, y, z, mission_type);
 };
 
 } // namespace godwit::io::mavlink

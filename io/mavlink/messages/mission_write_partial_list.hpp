@@ -19,12 +19,8 @@ struct mission_write_partial_list {
   static constexpr std::uint32_t message_id = 38;
   static constexpr std::uint8_t crc_extra = 9;
   static constexpr std::size_t extensions = 1;
-  static constexpr auto fields =
-      table("MISSION_WRITE_PARTIAL_LIST", field("target_system", &mission_write_partial_list::target_system),
-            field("target_component", &mission_write_partial_list::target_component),
-            field("start_index", &mission_write_partial_list::start_index),
-            field("end_index", &mission_write_partial_list::end_index),
-            field("mission_type", &mission_write_partial_list::mission_type));
+  GODWIT_FIELDS(mission_write_partial_list, "MISSION_WRITE_PARTIAL_LIST", target_system, target_component, start_index,
+                end_index, mission_type);
 };
 
 } // namespace godwit::io::mavlink

@@ -18,10 +18,7 @@ struct param_request_read {
 
   static constexpr std::uint32_t message_id = 20;
   static constexpr std::uint8_t crc_extra = 214;
-  static constexpr auto fields =
-      table("PARAM_REQUEST_READ", field("target_system", &param_request_read::target_system),
-            field("target_component", &param_request_read::target_component),
-            field("param_id", &param_request_read::param_id), field("param_index", &param_request_read::param_index));
+  GODWIT_FIELDS(param_request_read, "PARAM_REQUEST_READ", target_system, target_component, param_id, param_index);
 };
 
 struct param_request_list {
@@ -30,8 +27,7 @@ struct param_request_list {
 
   static constexpr std::uint32_t message_id = 21;
   static constexpr std::uint8_t crc_extra = 159;
-  static constexpr auto fields = table("PARAM_REQUEST_LIST", field("target_system", &param_request_list::target_system),
-                                       field("target_component", &param_request_list::target_component));
+  GODWIT_FIELDS(param_request_list, "PARAM_REQUEST_LIST", target_system, target_component);
 };
 
 struct param_value {
@@ -43,10 +39,7 @@ struct param_value {
 
   static constexpr std::uint32_t message_id = 22;
   static constexpr std::uint8_t crc_extra = 220;
-  static constexpr auto fields =
-      table("PARAM_VALUE", field("param_id", &param_value::param_id), field("param_value", &param_value::param_value),
-            field("param_type", &param_value::param_type), field("param_count", &param_value::param_count),
-            field("param_index", &param_value::param_index));
+  GODWIT_FIELDS(param_value, "PARAM_VALUE", param_id, param_value, param_type, param_count, param_index);
 };
 
 struct param_set {
@@ -58,10 +51,7 @@ struct param_set {
 
   static constexpr std::uint32_t message_id = 23;
   static constexpr std::uint8_t crc_extra = 168;
-  static constexpr auto fields =
-      table("PARAM_SET", field("target_system", &param_set::target_system),
-            field("target_component", &param_set::target_component), field("param_id", &param_set::param_id),
-            field("param_value", &param_set::param_value), field("param_type", &param_set::param_type));
+  GODWIT_FIELDS(param_set, "PARAM_SET", target_system, target_component, param_id, param_value, param_type);
 };
 
 } // namespace godwit::io::mavlink

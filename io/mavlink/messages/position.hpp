@@ -31,14 +31,8 @@ struct gps_raw_int {
   static constexpr std::uint32_t message_id = 24;
   static constexpr std::uint8_t crc_extra = 24;
   static constexpr std::size_t extensions = 6;
-  static constexpr auto fields =
-      table("GPS_RAW_INT", field("time_usec", &gps_raw_int::time_usec), field("fix_type", &gps_raw_int::fix_type),
-            field("lat", &gps_raw_int::lat), field("lon", &gps_raw_int::lon), field("alt", &gps_raw_int::alt),
-            field("eph", &gps_raw_int::eph), field("epv", &gps_raw_int::epv), field("vel", &gps_raw_int::vel),
-            field("cog", &gps_raw_int::cog), field("satellites_visible", &gps_raw_int::satellites_visible),
-            field("alt_ellipsoid", &gps_raw_int::alt_ellipsoid), field("h_acc", &gps_raw_int::h_acc),
-            field("v_acc", &gps_raw_int::v_acc), field("vel_acc", &gps_raw_int::vel_acc),
-            field("hdg_acc", &gps_raw_int::hdg_acc), field("yaw", &gps_raw_int::yaw));
+  GODWIT_FIELDS(gps_raw_int, "GPS_RAW_INT", time_usec, fix_type, lat, lon, alt, eph, epv, vel, cog, satellites_visible,
+                alt_ellipsoid, h_acc, v_acc, vel_acc, hdg_acc, yaw);
 };
 
 // Angles in rad, rates in rad/s.
@@ -53,10 +47,7 @@ struct attitude {
 
   static constexpr std::uint32_t message_id = 30;
   static constexpr std::uint8_t crc_extra = 39;
-  static constexpr auto fields =
-      table("ATTITUDE", field("time_boot_ms", &attitude::time_boot_ms), field("roll", &attitude::roll),
-            field("pitch", &attitude::pitch), field("yaw", &attitude::yaw), field("rollspeed", &attitude::rollspeed),
-            field("pitchspeed", &attitude::pitchspeed), field("yawspeed", &attitude::yawspeed));
+  GODWIT_FIELDS(attitude, "ATTITUDE", time_boot_ms, roll, pitch, yaw, rollspeed, pitchspeed, yawspeed);
 };
 
 struct global_position_int {
@@ -72,12 +63,7 @@ struct global_position_int {
 
   static constexpr std::uint32_t message_id = 33;
   static constexpr std::uint8_t crc_extra = 104;
-  static constexpr auto fields =
-      table("GLOBAL_POSITION_INT", field("time_boot_ms", &global_position_int::time_boot_ms),
-            field("lat", &global_position_int::lat), field("lon", &global_position_int::lon),
-            field("alt", &global_position_int::alt), field("relative_alt", &global_position_int::relative_alt),
-            field("vx", &global_position_int::vx), field("vy", &global_position_int::vy),
-            field("vz", &global_position_int::vz), field("hdg", &global_position_int::hdg));
+  GODWIT_FIELDS(global_position_int, "GLOBAL_POSITION_INT", time_boot_ms, lat, lon, alt, relative_alt, vx, vy, vz, hdg);
 };
 
 // Speeds in m/s.
@@ -91,10 +77,7 @@ struct vfr_hud {
 
   static constexpr std::uint32_t message_id = 74;
   static constexpr std::uint8_t crc_extra = 20;
-  static constexpr auto fields =
-      table("VFR_HUD", field("airspeed", &vfr_hud::airspeed), field("groundspeed", &vfr_hud::groundspeed),
-            field("heading", &vfr_hud::heading), field("throttle", &vfr_hud::throttle), field("alt", &vfr_hud::alt),
-            field("climb", &vfr_hud::climb));
+  GODWIT_FIELDS(vfr_hud, "VFR_HUD", airspeed, groundspeed, heading, throttle, alt, climb);
 };
 
 struct home_position {
@@ -113,12 +96,8 @@ struct home_position {
   static constexpr std::uint32_t message_id = 242;
   static constexpr std::uint8_t crc_extra = 104;
   static constexpr std::size_t extensions = 1;
-  static constexpr auto fields =
-      table("HOME_POSITION", field("latitude", &home_position::latitude), field("longitude", &home_position::longitude),
-            field("altitude", &home_position::altitude), field("x", &home_position::x), field("y", &home_position::y),
-            field("z", &home_position::z), field("q", &home_position::q),
-            field("approach_x", &home_position::approach_x), field("approach_y", &home_position::approach_y),
-            field("approach_z", &home_position::approach_z), field("time_usec", &home_position::time_usec));
+  GODWIT_FIELDS(home_position, "HOME_POSITION", latitude, longitude, altitude, x, y, z, q, approach_x, approach_y,
+                approach_z, time_usec);
 };
 
 } // namespace godwit::io::mavlink

@@ -19,11 +19,7 @@ struct radio_status {
 
   static constexpr std::uint32_t message_id = 109;
   static constexpr std::uint8_t crc_extra = 185;
-  static constexpr auto fields =
-      table("RADIO_STATUS", field("rssi", &radio_status::rssi), field("remrssi", &radio_status::remrssi),
-            field("txbuf", &radio_status::txbuf), field("noise", &radio_status::noise),
-            field("remnoise", &radio_status::remnoise), field("rxerrors", &radio_status::rxerrors),
-            field("fixed", &radio_status::fixed));
+  GODWIT_FIELDS(radio_status, "RADIO_STATUS", rssi, remrssi, txbuf, noise, remnoise, rxerrors, fixed);
 };
 
 } // namespace godwit::io::mavlink

@@ -18,12 +18,8 @@ struct request_data_stream {
 
   static constexpr std::uint32_t message_id = 66;
   static constexpr std::uint8_t crc_extra = 148;
-  static constexpr auto fields =
-      table("REQUEST_DATA_STREAM", field("target_system", &request_data_stream::target_system),
-            field("target_component", &request_data_stream::target_component),
-            field("req_stream_id", &request_data_stream::req_stream_id),
-            field("req_message_rate", &request_data_stream::req_message_rate),
-            field("start_stop", &request_data_stream::start_stop));
+  GODWIT_FIELDS(request_data_stream, "REQUEST_DATA_STREAM", target_system, target_component, req_stream_id,
+                req_message_rate, start_stop);
 };
 
 } // namespace godwit::io::mavlink

@@ -26,17 +26,9 @@ struct autopilot_version {
   static constexpr std::uint32_t message_id = 148;
   static constexpr std::uint8_t crc_extra = 178;
   static constexpr std::size_t extensions = 1;
-  static constexpr auto fields =
-      table("AUTOPILOT_VERSION", field("capabilities", &autopilot_version::capabilities),
-            field("flight_sw_version", &autopilot_version::flight_sw_version),
-            field("middleware_sw_version", &autopilot_version::middleware_sw_version),
-            field("os_sw_version", &autopilot_version::os_sw_version),
-            field("board_version", &autopilot_version::board_version),
-            field("flight_custom_version", &autopilot_version::flight_custom_version),
-            field("middleware_custom_version", &autopilot_version::middleware_custom_version),
-            field("os_custom_version", &autopilot_version::os_custom_version),
-            field("vendor_id", &autopilot_version::vendor_id), field("product_id", &autopilot_version::product_id),
-            field("uid", &autopilot_version::uid), field("uid2", &autopilot_version::uid2));
+  GODWIT_FIELDS(autopilot_version, "AUTOPILOT_VERSION", capabilities, flight_sw_version, middleware_sw_version,
+                os_sw_version, board_version, flight_custom_version, middleware_custom_version, os_custom_version,
+                vendor_id, product_id, uid, uid2);
 };
 
 struct protocol_version {
@@ -48,11 +40,8 @@ struct protocol_version {
 
   static constexpr std::uint32_t message_id = 300;
   static constexpr std::uint8_t crc_extra = 217;
-  static constexpr auto fields =
-      table("PROTOCOL_VERSION", field("version", &protocol_version::version),
-            field("min_version", &protocol_version::min_version), field("max_version", &protocol_version::max_version),
-            field("spec_version_hash", &protocol_version::spec_version_hash),
-            field("library_version_hash", &protocol_version::library_version_hash));
+  GODWIT_FIELDS(protocol_version, "PROTOCOL_VERSION", version, min_version, max_version, spec_version_hash,
+                library_version_hash);
 };
 
 } // namespace godwit::io::mavlink

@@ -31,16 +31,8 @@ enum class key_file_errc {
   all_zero
 };
 
-constexpr auto enum_names(key_file_errc) {
-  return io::names<key_file_errc>({{key_file_errc::missing, "missing"},
-                                   {key_file_errc::not_readable, "not_readable"},
-                                   {key_file_errc::symbolic_link, "symbolic_link"},
-                                   {key_file_errc::not_a_file, "not_a_file"},
-                                   {key_file_errc::other_owner, "other_owner"},
-                                   {key_file_errc::wrong_mode, "wrong_mode"},
-                                   {key_file_errc::not_a_key, "not_a_key"},
-                                   {key_file_errc::all_zero, "all_zero"}});
-}
+GODWIT_ENUM_NAMES(key_file_errc, missing, not_readable, symbolic_link, not_a_file, other_owner, wrong_mode, not_a_key,
+                  all_zero);
 
 struct key_file_error {
   key_file_errc code{};

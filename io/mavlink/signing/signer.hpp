@@ -16,9 +16,7 @@ namespace godwit::io::mavlink {
 
 enum class sign_error { timestamps_used_up };
 
-constexpr auto enum_names(sign_error) {
-  return io::names<sign_error>({{sign_error::timestamps_used_up, "timestamps_used_up"}});
-}
+GODWIT_ENUM_NAMES(sign_error, timestamps_used_up);
 
 class signer {
 public:

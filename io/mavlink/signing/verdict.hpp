@@ -21,16 +21,8 @@ enum class verdict : std::uint8_t {
   too_many_streams, // of a new stream, and there is no place for one
 };
 
-constexpr auto enum_names(verdict) {
-  return io::names<verdict>({{verdict::accepted_signed, "accepted_signed"},
-                             {verdict::accepted_unsigned, "accepted_unsigned"},
-                             {verdict::bad_signature, "bad_signature"},
-                             {verdict::replayed, "replayed"},
-                             {verdict::too_old, "too_old"},
-                             {verdict::too_new, "too_new"},
-                             {verdict::unsigned_refused, "unsigned_refused"},
-                             {verdict::too_many_streams, "too_many_streams"}});
-}
+GODWIT_ENUM_NAMES(verdict, accepted_signed, accepted_unsigned, bad_signature, replayed, too_old, too_new,
+                  unsigned_refused, too_many_streams);
 
 [[nodiscard]] constexpr bool is_accepted(verdict each) {
   return each == verdict::accepted_signed || each == verdict::accepted_unsigned;

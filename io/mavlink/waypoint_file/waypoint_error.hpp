@@ -24,17 +24,8 @@ enum class waypoint_errc {
   io, // the system refused; `what` has its words
 };
 
-constexpr auto enum_names(waypoint_errc) {
-  return names<waypoint_errc>({{waypoint_errc::not_a_plan, "not_a_plan"},
-                               {waypoint_errc::other_version, "other_version"},
-                               {waypoint_errc::too_large, "too_large"},
-                               {waypoint_errc::wrong_columns, "wrong_columns"},
-                               {waypoint_errc::not_a_number, "not_a_number"},
-                               {waypoint_errc::out_of_range, "out_of_range"},
-                               {waypoint_errc::wrong_sequence, "wrong_sequence"},
-                               {waypoint_errc::unknown_frame, "unknown_frame"},
-                               {waypoint_errc::io, "io"}});
-}
+GODWIT_ENUM_NAMES(waypoint_errc, not_a_plan, other_version, too_large, wrong_columns, not_a_number, out_of_range,
+                  wrong_sequence, unknown_frame, io);
 
 struct waypoint_error {
   waypoint_errc code{};

@@ -15,13 +15,6 @@ enum class planted_flaw {
   end_process      // an assertion fails at the third report
 };
 
-constexpr auto enum_names(planted_flaw) {
-  return io::names<planted_flaw>({{planted_flaw::none, "none"},
-                                  {planted_flaw::lose_report, "lose_report"},
-                                  {planted_flaw::double_report, "double_report"},
-                                  {planted_flaw::order_to_person, "order_to_person"},
-                                  {planted_flaw::forget_delivery, "forget_delivery"},
-                                  {planted_flaw::end_process, "end_process"}});
-}
+GODWIT_ENUM_NAMES(planted_flaw, none, lose_report, double_report, order_to_person, forget_delivery, end_process);
 
 } // namespace godwit::drill

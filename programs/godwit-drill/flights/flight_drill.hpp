@@ -14,16 +14,7 @@ namespace godwit::drill {
 
 enum class flight_drill { simulate, interventions, actors, process, disk, links, people, clock };
 
-constexpr auto enum_names(flight_drill) {
-  return io::names<flight_drill>({{flight_drill::simulate, "simulate"},
-                                  {flight_drill::interventions, "interventions"},
-                                  {flight_drill::actors, "actors"},
-                                  {flight_drill::process, "process"},
-                                  {flight_drill::disk, "disk"},
-                                  {flight_drill::links, "links"},
-                                  {flight_drill::people, "people"},
-                                  {flight_drill::clock, "clock"}});
-}
+GODWIT_ENUM_NAMES(flight_drill, simulate, interventions, actors, process, disk, links, people, clock);
 
 struct seed_range {
   std::uint64_t first = 1;

@@ -30,16 +30,8 @@ struct flight_outcome {
   double flown_s = 0;                // virtual time
   double took_s = 0;                 // of this machine
   std::string story;                 // what happened; of a flight with a flaw, or of all when it was asked for
-  static constexpr auto fields = io::table(
-      "drill.flight_outcome", io::field("name", &flight_outcome::name), io::field("group", &flight_outcome::group),
-      io::field("again", &flight_outcome::again), io::field("flaws", &flight_outcome::flaws),
-      io::field("known", &flight_outcome::known), io::field("skipped", &flight_outcome::skipped),
-      io::field("faults", &flight_outcome::faults), io::field("lost", &flight_outcome::lost),
-      io::field("doubled", &flight_outcome::doubled), io::field("kills", &flight_outcome::kills),
-      io::field("crashes", &flight_outcome::crashes), io::field("takeovers", &flight_outcome::takeovers),
-      io::field("commits", &flight_outcome::commits), io::field("deliveries", &flight_outcome::deliveries),
-      io::field("recovery_ms", &flight_outcome::recovery_ms), io::field("flown_s", &flight_outcome::flown_s),
-      io::field("took_s", &flight_outcome::took_s), io::field("story", &flight_outcome::story));
+  GODWIT_FIELDS(flight_outcome, "drill.flight_outcome", name, group, again, flaws, known, skipped, faults, lost,
+                doubled, kills, crashes, takeovers, commits, deliveries, recovery_ms, flown_s, took_s, story);
 
   [[nodiscard]] bool held() const { return flaws.empty(); }
 };

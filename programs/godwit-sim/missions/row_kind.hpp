@@ -16,13 +16,7 @@ enum class row_kind {
   response,     // to an assignment: assignment_id
 };
 
-constexpr auto enum_names(row_kind) {
-  return io::names<row_kind>({{row_kind::observation, "observation"},
-                              {row_kind::ignored_item, "ignored_item"},
-                              {row_kind::progress, "progress"},
-                              {row_kind::change, "change"},
-                              {row_kind::response, "response"}});
-}
+GODWIT_ENUM_NAMES(row_kind, observation, ignored_item, progress, change, response);
 
 struct stored_row {
   std::string id;

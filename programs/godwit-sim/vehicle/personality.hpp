@@ -12,12 +12,6 @@ enum class personality { rover, px4, ardupilot, plane, ardurover };
   return who == personality::rover || who == personality::ardurover;
 }
 
-constexpr auto enum_names(personality) {
-  return io::names<personality>({{personality::rover, "rover"},
-                                 {personality::px4, "px4"},
-                                 {personality::ardupilot, "ardupilot"},
-                                 {personality::plane, "plane"},
-                                 {personality::ardurover, "ardurover"}});
-}
+GODWIT_ENUM_NAMES(personality, rover, px4, ardupilot, plane, ardurover);
 
 } // namespace godwit::sim

@@ -21,18 +21,7 @@ namespace godwit::trace_tool {
 
 enum class flight_matter { process, phase, control, vehicle, command, plan, failsafe, actor, report, text };
 
-constexpr auto enum_names(flight_matter) {
-  return io::names<flight_matter>({{flight_matter::process, "process"},
-                                   {flight_matter::phase, "phase"},
-                                   {flight_matter::control, "control"},
-                                   {flight_matter::vehicle, "vehicle"},
-                                   {flight_matter::command, "command"},
-                                   {flight_matter::plan, "plan"},
-                                   {flight_matter::failsafe, "failsafe"},
-                                   {flight_matter::actor, "actor"},
-                                   {flight_matter::report, "report"},
-                                   {flight_matter::text, "text"}});
-}
+GODWIT_ENUM_NAMES(flight_matter, process, phase, control, vehicle, command, plan, failsafe, actor, report, text);
 
 struct flight_event {
   std::int64_t at_ns = 0;

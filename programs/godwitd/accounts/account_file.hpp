@@ -31,9 +31,7 @@ struct stored_account {
   operators::role role = operators::role::viewer;
   password_hash password;
   std::string token_hash; // of a program; empty: none
-  static constexpr auto fields =
-      io::table("accounts.account", io::field("name", &stored_account::name), io::field("role", &stored_account::role),
-                io::field("password", &stored_account::password), io::field("token_hash", &stored_account::token_hash));
+  GODWIT_FIELDS(stored_account, "accounts.account", name, role, password, token_hash);
 };
 
 using account_list = std::vector<stored_account>;

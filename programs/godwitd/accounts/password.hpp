@@ -22,9 +22,7 @@ struct password_hash {
   std::uint64_t n = 32'768;
   std::uint32_t r = 8;
   std::uint32_t p = 3;
-  static constexpr auto fields = io::table("accounts.password_hash", io::field("salt", &password_hash::salt),
-                                           io::field("hash", &password_hash::hash), io::field("n", &password_hash::n),
-                                           io::field("r", &password_hash::r), io::field("p", &password_hash::p));
+  GODWIT_FIELDS(password_hash, "accounts.password_hash", salt, hash, n, r, p);
   friend bool operator==(const password_hash&, const password_hash&) = default;
 };
 

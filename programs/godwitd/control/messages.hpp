@@ -59,15 +59,8 @@ struct control_request {
   scan_controller::decide_point decided = {};                            // decide_point
   std::uint64_t point = 0;   // insert: at the place of this one, which a person has confirmed; 0: none
   bool ends_signing = false; // sign: the vehicle has no key from then on
-  static constexpr auto fields =
-      io::table("control.request", io::field("ticket", &control_request::ticket),
-                io::field("what", &control_request::what), io::field("key", &control_request::key),
-                io::field("said", &control_request::said), io::field("overridden", &control_request::overridden),
-                io::field("lasts_s", &control_request::lasts_s), io::field("by", &control_request::by),
-                io::field("id", &control_request::id), io::field("valid_until_ns", &control_request::valid_until_ns),
-                io::field("act", &control_request::act), io::field("to", &control_request::to),
-                io::field("rows", &control_request::rows), io::field("decided", &control_request::decided),
-                io::field("point", &control_request::point), io::field("ends_signing", &control_request::ends_signing));
+  GODWIT_FIELDS(control_request, "control.request", ticket, what, key, said, overridden, lasts_s, by, id,
+                valid_until_ns, act, to, rows, decided, point, ends_signing);
 };
 
 } // namespace godwit::control

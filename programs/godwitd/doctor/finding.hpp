@@ -13,9 +13,7 @@ enum class grade {
   warning, // it flies, and something is lost or open
   problem  // it does not fly
 };
-constexpr auto enum_names(grade) {
-  return io::names<grade>({{grade::good, "good"}, {grade::warning, "warning"}, {grade::problem, "problem"}});
-}
+GODWIT_ENUM_NAMES(grade, good, warning, problem);
 
 struct finding {
   grade how = grade::good;

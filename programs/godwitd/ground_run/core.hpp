@@ -48,14 +48,7 @@ using daemon::sighting_counts;
 
 enum class phase { loading, refused, pulling, seeing, pushing, over };
 
-constexpr auto enum_names(phase) {
-  return io::names<phase>({{phase::loading, "loading"},
-                           {phase::refused, "refused"},
-                           {phase::pulling, "pulling"},
-                           {phase::seeing, "seeing"},
-                           {phase::pushing, "pushing"},
-                           {phase::over, "over"}});
-}
+GODWIT_ENUM_NAMES(phase, loading, refused, pulling, seeing, pushing, over);
 
 class core {
 public:

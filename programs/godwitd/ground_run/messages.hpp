@@ -17,7 +17,7 @@ struct woken {
 // Time to look at what was not answered.
 struct tick {
   std::uint64_t incarnation = 0; // that goes on with it; those before have no time to keep any more
-  static constexpr auto fields = io::table("ground_run.tick", io::field("incarnation", &tick::incarnation));
+  GODWIT_FIELDS(tick, "ground_run.tick", incarnation);
 };
 
 struct retry_due {
@@ -32,9 +32,7 @@ struct run_status {
   std::string mission_id;
   ground_run::phase phase = ground_run::phase::loading;
   sighting_counts sightings;
-  static constexpr auto fields =
-      io::table("ground_run.run_status", io::field("mission_id", &run_status::mission_id),
-                io::field("phase", &run_status::phase), io::field("sightings", &run_status::sightings));
+  GODWIT_FIELDS(run_status, "ground_run.run_status", mission_id, phase, sightings);
 };
 
 } // namespace godwit::ground_run

@@ -11,7 +11,7 @@ namespace godwit::landing_watch {
 
 struct tick {
   std::uint64_t incarnation = 0; // that goes on with it; those before have no time to keep any more
-  static constexpr auto fields = io::table("landing_watch.tick", io::field("incarnation", &tick::incarnation));
+  GODWIT_FIELDS(tick, "landing_watch.tick", incarnation);
 };
 
 using own_handle = runtime::mailbox<runtime::tells<io::mavlink::heartbeat>, runtime::tells<tick>>;

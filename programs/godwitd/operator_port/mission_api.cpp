@@ -19,9 +19,7 @@ namespace {
 struct checked_mission {
   mission::document mission;
   std::vector<mission::loss> losses;
-  static constexpr auto fields =
-      io::table("operator_port.checked_mission", io::field("mission", &checked_mission::mission),
-                io::field("losses", &checked_mission::losses));
+  GODWIT_FIELDS(checked_mission, "operator_port.checked_mission", mission, losses);
 };
 
 using refused = tl::unexpected<server_response>;

@@ -27,9 +27,7 @@ struct mission_upload {
   std::uint64_t ticket = 0;
   std::string token_hash; // of who comes; empty: without a token
   mission::document mission;
-  static constexpr auto fields =
-      io::table("operator_port.mission_upload", io::field("ticket", &mission_upload::ticket),
-                io::field("token_hash", &mission_upload::token_hash), io::field("mission", &mission_upload::mission));
+  GODWIT_FIELDS(mission_upload, "operator_port.mission_upload", ticket, token_hash, mission);
 };
 
 using mission_inlet = runtime::mailbox<runtime::tells<mission_upload>>;

@@ -41,22 +41,8 @@ enum class api_act {
   refuse_origin // a page of another site has asked
 };
 
-constexpr auto enum_names(api_act) {
-  return io::names<api_act>({{api_act::who_am_i, "who_am_i"},
-                             {api_act::command, "command"},
-                             {api_act::view_control, "view_control"},
-                             {api_act::change_control, "change_control"},
-                             {api_act::read_audit, "read_audit"},
-                             {api_act::list_points, "list_points"},
-                             {api_act::decide_point, "decide_point"},
-                             {api_act::override_rule, "override_rule"},
-                             {api_act::log_out, "log_out"},
-                             {api_act::look, "look"},
-                             {api_act::open_session, "open_session"},
-                             {api_act::use_link, "use_link"},
-                             {api_act::refuse_login, "refuse_login"},
-                             {api_act::refuse_origin, "refuse_origin"}});
-}
+GODWIT_ENUM_NAMES(api_act, who_am_i, command, view_control, change_control, read_audit, list_points, decide_point,
+                  override_rule, log_out, look, open_session, use_link, refuse_login, refuse_origin);
 
 struct api_request {
   std::uint64_t ticket = 0; // 0: nobody waits for an answer
@@ -74,14 +60,8 @@ struct api_request {
   operator_bridge::account account;                                      // open_session; its name: refuse_login
   std::string new_token_hash;                                            // open_session, use_link
   std::string link_hash;                                                 // use_link
-  static constexpr auto fields = io::table(
-      "operator_port.request", io::field("ticket", &api_request::ticket), io::field("what", &api_request::what),
-      io::field("token_hash", &api_request::token_hash), io::field("from", &api_request::from),
-      io::field("said", &api_request::said), io::field("act", &api_request::act), io::field("to", &api_request::to),
-      io::field("rows", &api_request::rows), io::field("before", &api_request::before),
-      io::field("decided", &api_request::decided), io::field("overridden", &api_request::overridden),
-      io::field("lasts_s", &api_request::lasts_s), io::field("account", &api_request::account),
-      io::field("new_token_hash", &api_request::new_token_hash), io::field("link_hash", &api_request::link_hash));
+  GODWIT_FIELDS(api_request, "operator_port.request", ticket, what, token_hash, from, said, act, to, rows, before,
+                decided, overridden, lasts_s, account, new_token_hash, link_hash);
 };
 
 using desk_inlet = runtime::mailbox<runtime::tells<api_request>>;

@@ -37,34 +37,26 @@ struct command_body {
   std::uint32_t report = 0;
   std::optional<mission::position> place;
   std::string after;
-  static constexpr auto fields =
-      io::table("operator_port.command", io::field("id", &command_body::id),
-                io::field("command", &command_body::command), io::field("valid_until", &command_body::valid_until),
-                io::field("state", &command_body::state), io::field("report", &command_body::report),
-                io::field("place", &command_body::place), io::field("after", &command_body::after));
+  GODWIT_FIELDS(command_body, "operator_port.command", id, command, valid_until, state, report, place, after);
 };
 
 struct control_fields {
   std::optional<operator_bridge::control_act> act;
   std::string to;
-  static constexpr auto fields =
-      io::table("operator_port.control", io::field("act", &control_fields::act), io::field("to", &control_fields::to));
+  GODWIT_FIELDS(control_fields, "operator_port.control", act, to);
 };
 
 struct decision_body {
   std::uint64_t point = 0;
   std::optional<scan_controller::decision> decision;
-  static constexpr auto fields = io::table("operator_port.decision", io::field("point", &decision_body::point),
-                                           io::field("decision", &decision_body::decision));
+  GODWIT_FIELDS(decision_body, "operator_port.decision", point, decision);
 };
 
 struct override_fields {
   std::optional<failsafe::rule> rule;
   std::uint32_t seconds = 0;
   std::string reason;
-  static constexpr auto fields =
-      io::table("operator_port.override", io::field("rule", &override_fields::rule),
-                io::field("seconds", &override_fields::seconds), io::field("reason", &override_fields::reason));
+  GODWIT_FIELDS(override_fields, "operator_port.override", rule, seconds, reason);
 };
 
 tl::unexpected<body_problem> wrong(std::string place, std::string sentence) {

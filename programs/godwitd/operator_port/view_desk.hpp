@@ -30,18 +30,13 @@ namespace godwit::operator_port {
 
 enum class view_kind { plan, preflight, objects };
 
-constexpr auto enum_names(view_kind) {
-  return io::names<view_kind>(
-      {{view_kind::plan, "plan"}, {view_kind::preflight, "preflight"}, {view_kind::objects, "objects"}});
-}
+GODWIT_ENUM_NAMES(view_kind, plan, preflight, objects);
 
 struct view_request {
   std::uint64_t ticket = 0;
   view_kind what = view_kind::plan;
   mapobjects_store::get_objects objects = {}; // of `objects`
-  static constexpr auto fields =
-      io::table("operator_port.view_request", io::field("ticket", &view_request::ticket),
-                io::field("what", &view_request::what), io::field("objects", &view_request::objects));
+  GODWIT_FIELDS(view_request, "operator_port.view_request", ticket, what, objects);
 };
 
 // What is answered of objects of the map. Times are milliseconds since 1970 (UTC).
@@ -52,20 +47,15 @@ struct object_on_map {
   double confidence = 0; // 0..1
   std::int64_t last_seen_ms = 0;
   bool is_seen_here = false; // found or moved by this vehicle since the map was pulled
-  static constexpr auto fields = io::table(
-      "operator_port.object_on_map", io::field("class_group", &object_on_map::class_group),
-      io::field("latitude_deg", &object_on_map::latitude_deg),
-      io::field("longitude_deg", &object_on_map::longitude_deg), io::field("confidence", &object_on_map::confidence),
-      io::field("last_seen_ms", &object_on_map::last_seen_ms), io::field("is_seen_here", &object_on_map::is_seen_here));
+  GODWIT_FIELDS(object_on_map, "operator_port.object_on_map", class_group, latitude_deg, longitude_deg, confidence,
+                last_seen_ms, is_seen_here);
 };
 
 struct objects_on_map {
   std::vector<object_on_map> objects; // the newest first
   std::uint64_t counted = 0;          // that lie there, those among them
   bool is_all = true;                 // false: there are more, which nobody has looked at
-  static constexpr auto fields =
-      io::table("operator_port.objects_on_map", io::field("objects", &objects_on_map::objects),
-                io::field("counted", &objects_on_map::counted), io::field("is_all", &objects_on_map::is_all));
+  GODWIT_FIELDS(objects_on_map, "operator_port.objects_on_map", objects, counted, is_all);
 };
 
 // Of "?bbox=...&limit=..."; the error is a sentence.

@@ -17,7 +17,7 @@ struct woken {
 
 struct tick {
   std::uint64_t incarnation = 0; // that goes on with it; those before have no time to keep any more
-  static constexpr auto fields = io::table("sightings.tick", io::field("incarnation", &tick::incarnation));
+  GODWIT_FIELDS(tick, "sightings.tick", incarnation);
 };
 
 struct get_sightings {

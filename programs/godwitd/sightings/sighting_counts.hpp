@@ -12,10 +12,7 @@ struct sighting_counts {
   std::uint64_t refused = 0;     // by the map store, or for want of room
   std::uint64_t unreadable = 0;  // lines that are no sightings
   std::uint64_t not_offered = 0; // recorded, and scan_controller did not answer
-  static constexpr auto fields =
-      io::table("godwitd.sighting_counts", io::field("recorded", &sighting_counts::recorded),
-                io::field("refused", &sighting_counts::refused), io::field("unreadable", &sighting_counts::unreadable),
-                io::field("not_offered", &sighting_counts::not_offered));
+  GODWIT_FIELDS(sighting_counts, "godwitd.sighting_counts", recorded, refused, unreadable, not_offered);
 };
 
 } // namespace godwit::daemon

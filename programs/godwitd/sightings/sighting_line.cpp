@@ -20,11 +20,8 @@ struct sighting_line {
   std::optional<double> altitude_m;
   double confidence = 0;
   std::string at;
-  static constexpr auto fields =
-      io::table("godwitd.sighting_line", io::field("id", &sighting_line::id),
-                io::field("class_group", &sighting_line::class_group), io::field("latitude", &sighting_line::latitude),
-                io::field("longitude", &sighting_line::longitude), io::field("altitude_m", &sighting_line::altitude_m),
-                io::field("confidence", &sighting_line::confidence), io::field("at", &sighting_line::at));
+  GODWIT_FIELDS(sighting_line, "godwitd.sighting_line", id, class_group, latitude, longitude, altitude_m, confidence,
+                at);
 };
 
 constexpr std::array required{"id", "class_group", "latitude", "longitude", "confidence", "at"};

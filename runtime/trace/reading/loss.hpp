@@ -19,15 +19,7 @@ enum class loss_kind {
   unknown        // records that are no deliveries, or whose channel stood in what is unreadable
 };
 
-constexpr auto enum_names(loss_kind) {
-  return io::names<loss_kind>({{loss_kind::begin_missing, "begin_missing"},
-                               {loss_kind::unreadable, "unreadable"},
-                               {loss_kind::cut, "cut"},
-                               {loss_kind::gap, "gap"},
-                               {loss_kind::dropped, "dropped"},
-                               {loss_kind::unwritten, "unwritten"},
-                               {loss_kind::unknown, "unknown"}});
-}
+GODWIT_ENUM_NAMES(loss_kind, begin_missing, unreadable, cut, gap, dropped, unwritten, unknown);
 
 struct loss {
   loss_kind kind = loss_kind::unreadable;

@@ -13,8 +13,7 @@ struct state {
   std::uint64_t total_m = 0;
   std::optional<reset_done> last_reset; // the answer to give when the same reset is asked for again
   static constexpr int version = 2;     // 1: without last_reset
-  static constexpr auto fields =
-      io::table("odometer.state", io::field("total_m", &state::total_m), io::field("last_reset", &state::last_reset));
+  GODWIT_FIELDS(state, "odometer.state", total_m, last_reset);
 };
 
 } // namespace godwit::odometer

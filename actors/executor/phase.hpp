@@ -31,20 +31,8 @@ enum class phase {
   aborted // the mission is over before its end
 };
 
-constexpr auto enum_names(phase) {
-  return io::names<phase>({{phase::disconnected, "disconnected"},
-                           {phase::connected, "connected"},
-                           {phase::preflight, "preflight"},
-                           {phase::uploading, "uploading"},
-                           {phase::ready, "ready"},
-                           {phase::starting, "starting"},
-                           {phase::flying, "flying"},
-                           {phase::landing, "landing"},
-                           {phase::post_flight, "post_flight"},
-                           {phase::done, "done"},
-                           {phase::paused, "paused"},
-                           {phase::aborted, "aborted"}});
-}
+GODWIT_ENUM_NAMES(phase, disconnected, connected, preflight, uploading, ready, starting, flying, landing, post_flight,
+                  done, paused, aborted);
 
 // The mission is over, and all that was owed for it is done.
 [[nodiscard]] constexpr bool is_at_rest(phase now) { return now == phase::done || now == phase::aborted; }
@@ -66,19 +54,8 @@ enum class pause_cause {
   plan_ended          // in the air: the vehicle waits there until it is called home or sent further
 };
 
-constexpr auto enum_names(pause_cause) {
-  return io::names<pause_cause>({{pause_cause::none, "none"},
-                                 {pause_cause::asked, "asked"},
-                                 {pause_cause::taken_over, "taken_over"},
-                                 {pause_cause::failsafe, "failsafe"},
-                                 {pause_cause::autopilot_failsafe, "autopilot_failsafe"},
-                                 {pause_cause::vehicle_restarted, "vehicle_restarted"},
-                                 {pause_cause::foreign_plan, "foreign_plan"},
-                                 {pause_cause::infeasible_plan, "infeasible_plan"},
-                                 {pause_cause::not_done, "not_done"},
-                                 {pause_cause::restarted, "restarted"},
-                                 {pause_cause::plan_ended, "plan_ended"}});
-}
+GODWIT_ENUM_NAMES(pause_cause, none, asked, taken_over, failsafe, autopilot_failsafe, vehicle_restarted, foreign_plan,
+                  infeasible_plan, not_done, restarted, plan_ended);
 
 // Only after an operator's word may anything be sent again.
 [[nodiscard]] constexpr bool needs_hand_back(pause_cause cause) {

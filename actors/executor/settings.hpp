@@ -16,16 +16,12 @@ enum class start_policy {
   automatic   // as soon as all is ready
 };
 
-constexpr auto enum_names(start_policy) {
-  return io::names<start_policy>({{start_policy::on_command, "on_command"}, {start_policy::automatic, "automatic"}});
-}
+GODWIT_ENUM_NAMES(start_policy, on_command, automatic);
 
 // What follows when the service refuses to insert a waypoint, again and again.
 enum class refusal_policy { go_on, come_home };
 
-constexpr auto enum_names(refusal_policy) {
-  return io::names<refusal_policy>({{refusal_policy::go_on, "go_on"}, {refusal_policy::come_home, "come_home"}});
-}
+GODWIT_ENUM_NAMES(refusal_policy, go_on, come_home);
 
 // What follows when the failsafe can not be kept up in flight. In both cases there are no new plans, and people are
 // told.
@@ -50,10 +46,7 @@ constexpr auto enum_names(deletion_policy) {
 // In which missions points of interest are shown to people: scan_controller runs only while one of these is flown.
 enum class scan_policy { with_survey, all, none };
 
-constexpr auto enum_names(scan_policy) {
-  return io::names<scan_policy>(
-      {{scan_policy::with_survey, "with_survey"}, {scan_policy::all, "all"}, {scan_policy::none, "none"}});
-}
+GODWIT_ENUM_NAMES(scan_policy, with_survey, all, none);
 
 struct settings {
   std::string mission_id; // that the service is asked for, or of the file; empty: ground stations bring missions

@@ -59,18 +59,8 @@ enum class task_kind {
   free_home          // behind a mission whose home was commanded: arming moves it again
 };
 
-constexpr auto enum_names(task_kind) {
-  return io::names<task_kind>({{task_kind::deploy, "deploy"},
-                               {task_kind::start, "start"},
-                               {task_kind::hold, "hold"},
-                               {task_kind::resume, "resume"},
-                               {task_kind::come_home, "come_home"},
-                               {task_kind::come_home_by_plan, "come_home_by_plan"},
-                               {task_kind::stand_down, "stand_down"},
-                               {task_kind::stand_by, "stand_by"},
-                               {task_kind::await_arming, "await_arming"},
-                               {task_kind::free_home, "free_home"}});
-}
+GODWIT_ENUM_NAMES(task_kind, deploy, start, hold, resume, come_home, come_home_by_plan, stand_down, stand_by,
+                  await_arming, free_home);
 
 // It brings a plan to the vehicle.
 [[nodiscard]] constexpr bool brings_plan(task_kind kind) {
@@ -84,10 +74,7 @@ struct task {
   bool goes_on = false;                          // deploy: it is under way, and flies on with the new plan
   std::optional<std::uint64_t> start_key;        // of the station that waits for the answer to its start
   std::optional<std::uint32_t> mode_before = {}; // start: the vehicle's, when it began
-  static constexpr auto fields =
-      io::table("executor.task", io::field("number", &task::number), io::field("kind", &task::kind),
-                io::field("goes_on", &task::goes_on), io::field("start_key", &task::start_key),
-                io::field("mode_before", &task::mode_before));
+  GODWIT_FIELDS(task, "executor.task", number, kind, goes_on, start_key, mode_before);
 };
 
 // Of a station's plan: the items that its start has asked for. The plan stays whole beside them, because the next start
@@ -97,9 +84,7 @@ struct station_part {
   std::uint16_t last = 0;
   mission::document whole;
   std::vector<std::uint16_t> places; // as in station_plan, of `whole`
-  static constexpr auto fields = io::table(
-      "executor.station_part", io::field("first", &station_part::first), io::field("last", &station_part::last),
-      io::field("whole", &station_part::whole), io::field("places", &station_part::places));
+  GODWIT_FIELDS(station_part, "executor.station_part", first, last, whole, places);
 };
 
 // The plan of a ground station that is the mission, or the one that comes next.
@@ -112,11 +97,7 @@ struct station_plan {
   std::optional<station_part> part = {}; // that the mission is; none: it is the whole upload
   station by = {};                       // who has uploaded it
   std::vector<std::string> ids = {};     // of the items of `places`, once an operator has changed the mission in flight
-  static constexpr auto fields = io::table(
-      "executor.station_plan", io::field("mission_id", &station_plan::mission_id),
-      io::field("revision", &station_plan::revision), io::field("plan_id", &station_plan::plan_id),
-      io::field("items", &station_plan::items), io::field("places", &station_plan::places),
-      io::field("part", &station_plan::part), io::field("by", &station_plan::by), io::field("ids", &station_plan::ids));
+  GODWIT_FIELDS(station_plan, "executor.station_plan", mission_id, revision, plan_id, items, places, part, by, ids);
 };
 
 // The plan that an upload brings, until the upload is resolved.
@@ -130,11 +111,8 @@ struct deployment {
   bool is_upload = false;                        // of a station, which waits for what becomes of it
   // The vehicle's, where it stood when the plan was brought before a flight: an arming leaves it there.
   std::optional<flight::home_place> home = {};
-  static constexpr auto fields = io::table(
-      "executor.deployment", io::field("mission", &deployment::mission), io::field("items", &deployment::items),
-      io::field("landing_sequence", &deployment::landing_sequence), io::field("surveys", &deployment::surveys),
-      io::field("asked", &deployment::asked), io::field("station", &deployment::station),
-      io::field("is_upload", &deployment::is_upload), io::field("home", &deployment::home));
+  GODWIT_FIELDS(deployment, "executor.deployment", mission, items, landing_sequence, surveys, asked, station, is_upload,
+                home);
 };
 
 // -- events besides those of the progress -----------------------------------------------------------
@@ -143,8 +121,7 @@ struct deployment {
 struct mission_taken {
   mission::document mission;
   std::optional<std::string> assignment; // that it carries out; answered when the plan is on the vehicle
-  static constexpr auto fields = io::table("executor.mission_taken", io::field("mission", &mission_taken::mission),
-                                           io::field("assignment", &mission_taken::assignment));
+  GODWIT_FIELDS(mission_taken, "executor.mission_taken", mission, assignment);
 };
 
 // The service wants other items. It waits until what goes on now is over.
@@ -157,18 +134,13 @@ struct assignment_kept {
 struct assignment_rejected {
   std::string assignment_id;
   std::string reason; // sentence for people
-  static constexpr auto fields =
-      io::table("executor.assignment_rejected", io::field("assignment_id", &assignment_rejected::assignment_id),
-                io::field("reason", &assignment_rejected::reason));
+  GODWIT_FIELDS(assignment_rejected, "executor.assignment_rejected", assignment_id, reason);
 };
 
 // An operator wants other items, and the service numbers the revision that has them.
 enum class change_kind { go_to, cancel, insert };
 
-constexpr auto enum_names(change_kind) {
-  return io::names<change_kind>(
-      {{change_kind::go_to, "go_to"}, {change_kind::cancel, "cancel"}, {change_kind::insert, "insert"}});
-}
+GODWIT_ENUM_NAMES(change_kind, go_to, cancel, insert);
 
 struct mission_change {
   std::string key;
@@ -182,12 +154,8 @@ struct mission_change {
   std::int64_t said_ns = 0; // by the operator, since 1970
   bool is_flown = false;    // without an answer
   bool is_stopped = false;  // since it was taken: its plan is brought, and not begun
-  static constexpr auto fields = io::table(
-      "executor.mission_change", io::field("key", &mission_change::key), io::field("kind", &mission_change::kind),
-      io::field("base_revision", &mission_change::base_revision), io::field("sets_aside", &mission_change::sets_aside),
-      io::field("after_item_id", &mission_change::after_item_id), io::field("items", &mission_change::items),
-      io::field("reason", &mission_change::reason), io::field("said_ns", &mission_change::said_ns),
-      io::field("is_flown", &mission_change::is_flown), io::field("is_stopped", &mission_change::is_stopped));
+  GODWIT_FIELDS(mission_change, "executor.mission_change", key, kind, base_revision, sets_aside, after_item_id, items,
+                reason, said_ns, is_flown, is_stopped);
 };
 
 // What an operator has commanded, until the service is asked for it: the vehicle comes to a hold first.
@@ -196,15 +164,13 @@ struct commanded_change {
   std::optional<mission::position> to;
   std::string after;        // insert: this item; empty: what is done
   std::int64_t said_ns = 0; // since 1970
-  static constexpr auto fields = io::table(
-      "executor.commanded_change", io::field("kind", &commanded_change::kind), io::field("to", &commanded_change::to),
-      io::field("after", &commanded_change::after), io::field("said_ns", &commanded_change::said_ns));
+  GODWIT_FIELDS(commanded_change, "executor.commanded_change", kind, to, after, said_ns);
 };
 
 // None: it is not wanted any more.
 struct change_commanded {
   std::optional<commanded_change> what;
-  static constexpr auto fields = io::table("executor.change_commanded", io::field("what", &change_commanded::what));
+  GODWIT_FIELDS(change_commanded, "executor.change_commanded", what);
 };
 
 // The service is told, and answers with change_outcome and the new revision.
@@ -214,10 +180,7 @@ struct change_asked {
   std::vector<mission::item> items;         // insert: one
   std::string reason;                       // for people
   std::vector<mission::item> set_aside;     // go_to: what comes back with cancel
-  static constexpr auto fields =
-      io::table("executor.change_asked", io::field("what", &change_asked::what),
-                io::field("after_item_id", &change_asked::after_item_id), io::field("items", &change_asked::items),
-                io::field("reason", &change_asked::reason), io::field("set_aside", &change_asked::set_aside));
+  GODWIT_FIELDS(change_asked, "executor.change_asked", what, after_item_id, items, reason, set_aside);
 };
 
 // The service has not answered, and the vehicle flies MISSION, whose revision we have numbered. The service gets the
@@ -225,61 +188,55 @@ struct change_asked {
 struct change_flown {
   std::string key;
   mission::document mission;
-  static constexpr auto fields = io::table("executor.change_flown", io::field("key", &change_flown::key),
-                                           io::field("mission", &change_flown::mission));
+  GODWIT_FIELDS(change_flown, "executor.change_flown", key, mission);
 };
 
 // An operator has stopped the vehicle, or sent it on.
 struct change_stopped {
   std::string key;
-  static constexpr auto fields = io::table("executor.change_stopped", io::field("key", &change_stopped::key));
+  GODWIT_FIELDS(change_stopped, "executor.change_stopped", key);
 };
 
 // The service has it now, or never will: then our numbers from this change on are no revisions.
 struct change_answered {
   std::string key;
   bool has_it = false;
-  static constexpr auto fields = io::table("executor.change_answered", io::field("key", &change_answered::key),
-                                           io::field("has_it", &change_answered::has_it));
+  GODWIT_FIELDS(change_answered, "executor.change_answered", key, has_it);
 };
 
 struct change_resolved {
   std::string key;
   bool is_done = false; // the mission has them now
-  static constexpr auto fields = io::table("executor.change_settled", io::field("key", &change_resolved::key),
-                                           io::field("is_done", &change_resolved::is_done));
+  GODWIT_FIELDS(change_resolved, "executor.change_settled", key, is_done);
 };
 
 // The service has another mission, or another revision of this one. It waits until what goes on now is over.
 struct mission_arrived {
   mission::document mission;
-  static constexpr auto fields = io::table("executor.mission_arrived", io::field("mission", &mission_arrived::mission));
+  GODWIT_FIELDS(mission_arrived, "executor.mission_arrived", mission);
 };
 
 // The mission that has come can not be flown from here.
 struct arrival_refused {
   std::int32_t revision = 0;
-  static constexpr auto fields =
-      io::table("executor.arrival_refused", io::field("revision", &arrival_refused::revision));
+  GODWIT_FIELDS(arrival_refused, "executor.arrival_refused", revision);
 };
 
 // The service does not know this mission any more.
 struct deletion_told {
   std::string mission_id;
-  static constexpr auto fields =
-      io::table("executor.deletion_told", io::field("mission_id", &deletion_told::mission_id));
+  GODWIT_FIELDS(deletion_told, "executor.deletion_told", mission_id);
 };
 
 struct task_begun {
   task what;
   std::optional<deployment> brings;
-  static constexpr auto fields =
-      io::table("executor.task_begun", io::field("what", &task_begun::what), io::field("brings", &task_begun::brings));
+  GODWIT_FIELDS(task_begun, "executor.task_begun", what, brings);
 };
 
 struct task_ended {
   std::uint64_t number = 0;
-  static constexpr auto fields = io::table("executor.task_ended", io::field("number", &task_ended::number));
+  GODWIT_FIELDS(task_ended, "executor.task_ended", number);
 };
 
 // The flight stands here from now on.
@@ -289,59 +246,52 @@ struct phase_status {
   pause_cause cause = pause_cause::none;
   std::string reason;     // sentence for people; empty when all is well
   bool in_flight = false; // it was started by us, and has not ended
-  static constexpr auto fields =
-      io::table("executor.stood", io::field("now", &phase_status::now), io::field("cause", &phase_status::cause),
-                io::field("reason", &phase_status::reason), io::field("in_flight", &phase_status::in_flight));
+  GODWIT_FIELDS(phase_status, "executor.stood", now, cause, reason, in_flight);
   friend bool operator==(const phase_status&, const phase_status&) = default;
 };
 
 // A station's MISSION_START has its answer.
 struct start_resolved {
   start_answer answer;
-  static constexpr auto fields = io::table("executor.start_settled", io::field("answer", &start_resolved::answer));
+  GODWIT_FIELDS(start_resolved, "executor.start_settled", answer);
 };
 
 // A ground station has uploaded a plan, and it is the mission that comes next.
 struct station_plan_taken {
   station_plan plan;
   mission::document mission;
-  static constexpr auto fields = io::table("executor.station_plan_taken", io::field("plan", &station_plan_taken::plan),
-                                           io::field("mission", &station_plan_taken::mission));
+  GODWIT_FIELDS(station_plan_taken, "executor.station_plan_taken", plan, mission);
 };
 
 // Its fence, which counts for its plans from now on; none: it was cleared.
 struct station_fence_taken {
   std::vector<mission::geofence> fences;
-  static constexpr auto fields =
-      io::table("executor.station_fence_taken", io::field("fences", &station_fence_taken::fences));
+  GODWIT_FIELDS(station_fence_taken, "executor.station_fence_taken", fences);
 };
 
 // Its rally points, which go to the vehicle with its plans; none: they were cleared.
 struct station_rally_taken {
   std::vector<io::mavlink::mission_item_int> items;
-  static constexpr auto fields =
-      io::table("executor.station_rally_taken", io::field("items", &station_rally_taken::items));
+  GODWIT_FIELDS(station_rally_taken, "executor.station_rally_taken", items);
 };
 
 // What godwit has brought to the vehicle besides its plan, or may have: it clears that, and nothing of others.
 struct brought_last_line {
   bool has_fence = false;
   bool has_rally = false;
-  static constexpr auto fields =
-      io::table("executor.brought_last_line", io::field("has_fence", &brought_last_line::has_fence),
-                io::field("has_rally", &brought_last_line::has_rally));
+  GODWIT_FIELDS(brought_last_line, "executor.brought_last_line", has_fence, has_rally);
   friend bool operator==(const brought_last_line&, const brought_last_line&) = default;
 };
 
 struct last_line_brought {
   brought_last_line what;
-  static constexpr auto fields = io::table("executor.last_line_brought", io::field("what", &last_line_brought::what));
+  GODWIT_FIELDS(last_line_brought, "executor.last_line_brought", what);
 };
 
 // Its own message has made the vehicle its person's, until it is handed back.
 struct station_took_over {
   station by;
-  static constexpr auto fields = io::table("executor.station_took_over", io::field("by", &station_took_over::by));
+  GODWIT_FIELDS(station_took_over, "executor.station_took_over", by);
 };
 
 // Somebody else has acted on the vehicle on the ground, after its plan was brought to it.
@@ -369,21 +319,20 @@ struct kept_home {
 
 struct home_kept {
   kept_home where;
-  static constexpr auto fields = io::table("executor.home_kept", io::field("where", &home_kept::where));
+  GODWIT_FIELDS(home_kept, "executor.home_kept", where);
 };
 
 // The vehicle's home is, or is no longer, where a command of ours has put it: arming does not move it then.
 struct home_commanded {
   bool is_ours = false;
-  static constexpr auto fields = io::table("executor.home_commanded", io::field("is_ours", &home_commanded::is_ours));
+  GODWIT_FIELDS(home_commanded, "executor.home_commanded", is_ours);
 };
 
 // Flown without the service's answer; REVISION is ours.
 struct flown_change {
   std::string key;
   std::int32_t revision = 0;
-  static constexpr auto fields = io::table("executor.flown_change", io::field("key", &flown_change::key),
-                                           io::field("revision", &flown_change::revision));
+  GODWIT_FIELDS(flown_change, "executor.flown_change", key, revision);
 };
 
 // Further ones are refused until the service has answered.

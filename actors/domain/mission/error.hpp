@@ -30,14 +30,7 @@ enum class document_errc {
   lossy,         // could only be taken over in part; see the losses
 };
 
-constexpr auto enum_names(document_errc) {
-  return io::names<document_errc>({{document_errc::too_large, "too_large"},
-                                   {document_errc::syntax, "syntax"},
-                                   {document_errc::wrong_form, "wrong_form"},
-                                   {document_errc::other_version, "other_version"},
-                                   {document_errc::broken_rule, "broken_rule"},
-                                   {document_errc::lossy, "lossy"}});
-}
+GODWIT_ENUM_NAMES(document_errc, too_large, syntax, wrong_form, other_version, broken_rule, lossy);
 
 struct document_problem {
   std::string pointer; // JSON pointer (RFC 6901), or "line 5" in a format of lines; empty: the whole document

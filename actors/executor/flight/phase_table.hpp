@@ -67,48 +67,13 @@ enum class trigger {
   delivered
 };
 
-constexpr auto enum_names(trigger) {
-  return io::names<trigger>({{trigger::link_lost, "link_lost"},
-                             {trigger::link_found, "link_found"},
-                             {trigger::mission_changed, "mission_changed"},
-                             {trigger::prepare_again, "prepare_again"},
-                             {trigger::checks_begun, "checks_begun"},
-                             {trigger::checks_passed, "checks_passed"},
-                             {trigger::rest_refused, "rest_refused"},
-                             {trigger::plan_brought, "plan_brought"},
-                             {trigger::plan_brought_held, "plan_brought_held"},
-                             {trigger::start_waits, "start_waits"},
-                             {trigger::start_begun, "start_begun"},
-                             {trigger::start_refused, "start_refused"},
-                             {trigger::start_failed, "start_failed"},
-                             {trigger::start_stopped, "start_stopped"},
-                             {trigger::started, "started"},
-                             {trigger::found_started, "found_started"},
-                             {trigger::plan_done, "plan_done"},
-                             {trigger::told_to_hold, "told_to_hold"},
-                             {trigger::held, "held"},
-                             {trigger::resumed, "resumed"},
-                             {trigger::called_home, "called_home"},
-                             {trigger::called_home_by_plan, "called_home_by_plan"},
-                             {trigger::not_obeyed, "not_obeyed"},
-                             {trigger::task_failed, "task_failed"},
-                             {trigger::person_took_over, "person_took_over"},
-                             {trigger::person_acts_on_ground, "person_acts_on_ground"},
-                             {trigger::failsafe_acts, "failsafe_acts"},
-                             {trigger::autopilot_failsafe_acts, "autopilot_failsafe_acts"},
-                             {trigger::handed_back, "handed_back"},
-                             {trigger::foreign_plan_found, "foreign_plan_found"},
-                             {trigger::infeasible_plan_found, "infeasible_plan_found"},
-                             {trigger::autopilot_restarted, "autopilot_restarted"},
-                             {trigger::restarted_on_ground, "restarted_on_ground"},
-                             {trigger::replan_left_open, "replan_left_open"},
-                             {trigger::found_held, "found_held"},
-                             {trigger::found_on_its_way, "found_on_its_way"},
-                             {trigger::found_in_flight, "found_in_flight"},
-                             {trigger::flight_ended, "flight_ended"},
-                             {trigger::mission_ended, "mission_ended"},
-                             {trigger::delivered, "delivered"}});
-}
+GODWIT_ENUM_NAMES(trigger, link_lost, link_found, mission_changed, prepare_again, checks_begun, checks_passed,
+                  rest_refused, plan_brought, plan_brought_held, start_waits, start_begun, start_refused, start_failed,
+                  start_stopped, started, found_started, plan_done, told_to_hold, held, resumed, called_home,
+                  called_home_by_plan, not_obeyed, task_failed, person_took_over, person_acts_on_ground, failsafe_acts,
+                  autopilot_failsafe_acts, handed_back, foreign_plan_found, infeasible_plan_found, autopilot_restarted,
+                  restarted_on_ground, replan_left_open, found_held, found_on_its_way, found_in_flight, flight_ended,
+                  mission_ended, delivered);
 
 inline constexpr std::size_t phase_count = static_cast<std::size_t>(phase::aborted) + 1;
 

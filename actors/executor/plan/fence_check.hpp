@@ -26,12 +26,7 @@ inline constexpr std::size_t max_violations = 32; // of one plan: more than anyo
 
 enum class violation_kind { outside_inclusion, inside_exclusion, below_floor, above_ceiling };
 
-constexpr auto enum_names(violation_kind) {
-  return io::names<violation_kind>({{violation_kind::outside_inclusion, "outside_inclusion"},
-                                    {violation_kind::inside_exclusion, "inside_exclusion"},
-                                    {violation_kind::below_floor, "below_floor"},
-                                    {violation_kind::above_ceiling, "above_ceiling"}});
-}
+GODWIT_ENUM_NAMES(violation_kind, outside_inclusion, inside_exclusion, below_floor, above_ceiling);
 
 struct violation {
   violation_kind kind{};

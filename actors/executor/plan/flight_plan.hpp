@@ -39,11 +39,7 @@ struct planned_survey {
   std::uint16_t first_line_sequence = 0;
   std::uint16_t line_count = 0; // in this plan
 
-  static constexpr auto fields =
-      io::table("executor.planned_survey", io::field("item_index", &planned_survey::item_index),
-                io::field("lines_before", &planned_survey::lines_before),
-                io::field("first_line_sequence", &planned_survey::first_line_sequence),
-                io::field("line_count", &planned_survey::line_count));
+  GODWIT_FIELDS(planned_survey, "executor.planned_survey", item_index, lines_before, first_line_sequence, line_count);
 };
 
 struct flight_plan {

@@ -32,28 +32,10 @@ enum class plan_errc {
   too_many_items         // of the vehicle
 };
 
-constexpr auto enum_names(plan_errc) {
-  return io::names<plan_errc>({{plan_errc::unknown_vehicle, "unknown_vehicle"},
-                               {plan_errc::no_such_item, "no_such_item"},
-                               {plan_errc::nothing_to_fly, "nothing_to_fly"},
-                               {plan_errc::no_take_off, "no_take_off"},
-                               {plan_errc::late_take_off, "late_take_off"},
-                               {plan_errc::no_direction, "no_direction"},
-                               {plan_errc::no_place, "no_place"},
-                               {plan_errc::no_approach, "no_approach"},
-                               {plan_errc::too_steep, "too_steep"},
-                               {plan_errc::circle_not_kept, "circle_not_kept"},
-                               {plan_errc::wait_too_long, "wait_too_long"},
-                               {plan_errc::return_point_not_home, "return_point_not_home"},
-                               {plan_errc::no_return_point, "no_return_point"},
-                               {plan_errc::area_too_large, "area_too_large"},
-                               {plan_errc::area_too_small, "area_too_small"},
-                               {plan_errc::too_many_lines, "too_many_lines"},
-                               {plan_errc::command_not_allowed, "command_not_allowed"},
-                               {plan_errc::command_refused, "command_refused"},
-                               {plan_errc::jump_left_out, "jump_left_out"},
-                               {plan_errc::too_many_items, "too_many_items"}});
-}
+GODWIT_ENUM_NAMES(plan_errc, unknown_vehicle, no_such_item, nothing_to_fly, no_take_off, late_take_off, no_direction,
+                  no_place, no_approach, too_steep, circle_not_kept, wait_too_long, return_point_not_home,
+                  no_return_point, area_too_large, area_too_small, too_many_lines, command_not_allowed, command_refused,
+                  jump_left_out, too_many_items);
 
 struct plan_error {
   plan_errc code{};

@@ -223,8 +223,7 @@ void plan_writer::take_over(const progress::plan_map& idle) {
 // which is more than vehicles fly that count each jump once.
 double plan_writer::rounds_of(const flight_plan& plan, std::uint32_t item_index) const {
   constexpr double most = 1e6;
-  const bool is_before =
-      plan.map.items_before > 0 && item_index < plan.map.items.at(plan.map.items_before).item_index;
+  const bool is_before = plan.map.items_before > 0 && item_index < plan.map.items.at(plan.map.items_before).item_index;
   double rounds = 1;
   for (const auto& jump : jumps_) {
     const auto target = std::ranges::find(plan.map.items, jump.to, &progress::mapped_item::item_id);

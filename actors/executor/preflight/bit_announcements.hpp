@@ -18,8 +18,7 @@ struct phase_changed {
   static constexpr auto goes_out = runtime::effect_kind::after_commit;
   phase now = phase::idle;
   std::string sentence; // for people, see sentence_of
-  static constexpr auto fields = io::table("executor.preflight_phase_changed", io::field("now", &phase_changed::now),
-                                           io::field("sentence", &phase_changed::sentence));
+  GODWIT_FIELDS(phase_changed, "executor.preflight_phase_changed", now, sentence);
 };
 
 // For operators: this report waits for an acknowledgement that names its number. It replaces the one before.
@@ -27,8 +26,7 @@ struct report_opened {
   static constexpr auto goes_out = runtime::effect_kind::after_commit;
   report what;
   std::int64_t acknowledge_until_ns = 0; // wall clock
-  static constexpr auto fields = io::table("executor.preflight_report_opened", io::field("what", &report_opened::what),
-                                           io::field("acknowledge_until_ns", &report_opened::acknowledge_until_ns));
+  GODWIT_FIELDS(report_opened, "executor.preflight_report_opened", what, acknowledge_until_ns);
 };
 
 // The answer to `acknowledged`. Repeated, it is taken again.
@@ -37,10 +35,7 @@ struct acknowledgement_answered {
   std::uint32_t report_id = 0;
   bool is_taken = false;
   std::string reason; // sentence for people; empty when taken
-  static constexpr auto fields = io::table("executor.preflight_acknowledgement_answered",
-                                           io::field("report_id", &acknowledgement_answered::report_id),
-                                           io::field("is_taken", &acknowledgement_answered::is_taken),
-                                           io::field("reason", &acknowledgement_answered::reason));
+  GODWIT_FIELDS(acknowledgement_answered, "executor.preflight_acknowledgement_answered", report_id, is_taken, reason);
 };
 
 using announcement = std::variant<report_opened, acknowledgement_answered, phase_changed>;

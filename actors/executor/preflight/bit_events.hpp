@@ -15,33 +15,27 @@ namespace godwit::executor::preflight {
 struct checks_wanted {
   std::string mission_id;
   std::int32_t revision = 0;
-  static constexpr auto fields =
-      io::table("executor.preflight_checks_wanted", io::field("mission_id", &checks_wanted::mission_id),
-                io::field("revision", &checks_wanted::revision));
+  GODWIT_FIELDS(checks_wanted, "executor.preflight_checks_wanted", mission_id, revision);
 };
 
 // The checks were run: each second from checks_wanted to the take-off, and once more just before a start.
 struct looked {
   report what;
-  static constexpr auto fields = io::table("executor.preflight_looked", io::field("what", &looked::what));
+  GODWIT_FIELDS(looked, "executor.preflight_looked", what);
 };
 
 // An authenticated operator has read the report with this number, and wants to fly all the same.
 struct acknowledged {
   std::uint32_t report_id = 0;
   std::string by; // who it is, by the means that authenticated the session
-  static constexpr auto fields =
-      io::table("executor.preflight_acknowledged", io::field("report_id", &acknowledged::report_id),
-                io::field("by", &acknowledged::by));
+  GODWIT_FIELDS(acknowledged, "executor.preflight_acknowledged", report_id, by);
 };
 
 // The mission in memory is another one, or another revision of it.
 struct mission_changed {
   std::string mission_id;
   std::int32_t revision = 0;
-  static constexpr auto fields =
-      io::table("executor.preflight_mission_changed", io::field("mission_id", &mission_changed::mission_id),
-                io::field("revision", &mission_changed::revision));
+  GODWIT_FIELDS(mission_changed, "executor.preflight_mission_changed", mission_id, revision);
 };
 
 // It is in the air; a rover: it moves.

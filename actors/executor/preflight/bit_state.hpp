@@ -20,13 +20,7 @@ enum class phase {
   failed        // it may not start
 };
 
-constexpr auto enum_names(phase) {
-  return io::names<phase>({{phase::idle, "idle"},
-                           {phase::running, "running"},
-                           {phase::pass, "pass"},
-                           {phase::awaiting_ack, "awaiting_ack"},
-                           {phase::failed, "failed"}});
-}
+GODWIT_ENUM_NAMES(phase, idle, running, pass, awaiting_ack, failed);
 
 // What operators are asked to acknowledge, or have acknowledged. It holds for this flight.
 struct open_report {
@@ -34,10 +28,7 @@ struct open_report {
   std::vector<std::string> sentences; // of what was degraded
   std::int64_t opened_ns = 0;
   std::string acknowledged_by; // empty: nobody has yet
-  static constexpr auto fields =
-      io::table("executor.preflight_open_report", io::field("id", &open_report::id),
-                io::field("sentences", &open_report::sentences), io::field("opened_ns", &open_report::opened_ns),
-                io::field("acknowledged_by", &open_report::acknowledged_by));
+  GODWIT_FIELDS(open_report, "executor.preflight_open_report", id, sentences, opened_ns, acknowledged_by);
 };
 
 inline constexpr std::size_t max_known_open_lines = 8; // the oldest is forgotten, and asked about again
@@ -55,11 +46,8 @@ struct state {
   std::vector<std::string> known_open_lines = {};
 
   static constexpr int version = 1;
-  static constexpr auto fields =
-      io::table("executor.preflight_state", io::field("now", &state::now), io::field("mission_id", &state::mission_id),
-                io::field("revision", &state::revision), io::field("is_flying", &state::is_flying),
-                io::field("last_report_id", &state::last_report_id), io::field("report", &state::report),
-                io::field("reason", &state::reason), io::field("known_open_lines", &state::known_open_lines));
+  GODWIT_FIELDS(state, "executor.preflight_state", now, mission_id, revision, is_flying, last_report_id, report, reason,
+                known_open_lines);
 };
 
 } // namespace godwit::executor::preflight

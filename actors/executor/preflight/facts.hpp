@@ -90,15 +90,12 @@ struct journal_facts {
   bool is_sound = false;                   // the integrity check passed
   bool is_nearly_full = false;             // what waits to be written is near its bound: the disk is too slow
   std::optional<std::uint64_t> free_bytes; // of its disk; absent: the system does not tell
-  static constexpr auto fields = io::table(
-      "executor.journal_facts", io::field("is_writable", &journal_facts::is_writable),
-      io::field("is_sound", &journal_facts::is_sound), io::field("is_nearly_full", &journal_facts::is_nearly_full),
-      io::field("free_bytes", &journal_facts::free_bytes));
+  GODWIT_FIELDS(journal_facts, "executor.journal_facts", is_writable, is_sound, is_nearly_full, free_bytes);
 };
 
 struct operator_fact {
   bool is_there = false; // somebody who may fly: logged in or at the control socket, and heard just now
-  static constexpr auto fields = io::table("executor.operator_fact", io::field("is_there", &operator_fact::is_there));
+  GODWIT_FIELDS(operator_fact, "executor.operator_fact", is_there);
 };
 
 struct actor_fact {
@@ -108,18 +105,12 @@ struct actor_fact {
 
 enum class camera_state { unknown, off, not_ready, ready };
 
-constexpr auto enum_names(camera_state) {
-  return io::names<camera_state>({{camera_state::unknown, "unknown"},
-                                  {camera_state::off, "off"},
-                                  {camera_state::not_ready, "not_ready"},
-                                  {camera_state::ready, "ready"}});
-}
+GODWIT_ENUM_NAMES(camera_state, unknown, off, not_ready, ready);
 
 struct camera_fact {
   camera_state state = camera_state::off;
   std::string problem; // why it is not ready, as a sentence without its end; empty: not known
-  static constexpr auto fields = io::table("executor.camera_fact", io::field("state", &camera_fact::state),
-                                           io::field("problem", &camera_fact::problem));
+  GODWIT_FIELDS(camera_fact, "executor.camera_fact", state, problem);
 };
 
 struct facts {

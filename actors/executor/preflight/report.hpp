@@ -16,8 +16,7 @@ struct finding {
   std::string check; // its name in the table of checks.hpp
   verdict how = verdict::fail;
   std::string sentence;
-  static constexpr auto fields = io::table("executor.preflight_finding", io::field("check", &finding::check),
-                                           io::field("how", &finding::how), io::field("sentence", &finding::sentence));
+  GODWIT_FIELDS(finding, "executor.preflight_finding", check, how, sentence);
   friend bool operator==(const finding&, const finding&) = default;
 };
 
@@ -27,10 +26,7 @@ struct report {
   std::int32_t revision = 0;       // 0: the same
   verdict overall = verdict::fail; // a report of nothing is no pass
   std::vector<finding> findings;   // one for each check, in the order of the table
-  static constexpr auto fields =
-      io::table("executor.preflight_report", io::field("id", &report::id), io::field("mission_id", &report::mission_id),
-                io::field("revision", &report::revision), io::field("overall", &report::overall),
-                io::field("findings", &report::findings));
+  GODWIT_FIELDS(report, "executor.preflight_report", id, mission_id, revision, overall, findings);
   friend bool operator==(const report&, const report&) = default;
 };
 

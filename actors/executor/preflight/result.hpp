@@ -21,12 +21,7 @@ namespace godwit::executor::preflight {
 // From the best to the worst.
 enum class verdict { skipped, pass, degraded, fail };
 
-constexpr auto enum_names(verdict) {
-  return io::names<verdict>({{verdict::skipped, "skipped"},
-                             {verdict::pass, "pass"},
-                             {verdict::degraded, "degraded"},
-                             {verdict::fail, "fail"}});
-}
+GODWIT_ENUM_NAMES(verdict, skipped, pass, degraded, fail);
 
 // Bytes. Some sentences quote the mission or the service; the rest of a longer one is cut off.
 inline constexpr std::size_t max_sentence = 512;

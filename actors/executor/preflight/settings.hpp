@@ -22,18 +22,10 @@ struct settings {
   std::string open_line = {};            // to the vehicle, over a network and without a key; empty: it is not
   bool asks_for_straight_return = false; // through an exclusion fence: else it is said, and flown all the same
 
-  static constexpr auto fields = io::table(
-      "executor.preflight_settings", io::field("battery_return_percent", &settings::battery_return_percent),
-      io::field("battery_critical_percent", &settings::battery_critical_percent),
-      io::field("starts_by_itself", &settings::starts_by_itself), io::field("open_line", &settings::open_line),
-      io::field("battery_margin_percent", &settings::battery_margin_percent),
-      io::field("min_satellites", &settings::min_satellites),
-      io::field("position_stale_ms", &settings::position_stale_ms),
-      io::field("journal_min_free_mib", &settings::journal_min_free_mib),
-      io::field("journal_low_free_mib", &settings::journal_low_free_mib),
-      io::field("earliest_date_s", &settings::earliest_date_s),
-      io::field("is_operator_session_required", &settings::is_operator_session_required),
-      io::field("asks_for_straight_return", &settings::asks_for_straight_return));
+  GODWIT_FIELDS(settings, "executor.preflight_settings", battery_return_percent, battery_critical_percent,
+                starts_by_itself, open_line, battery_margin_percent, min_satellites, position_stale_ms,
+                journal_min_free_mib, journal_low_free_mib, earliest_date_s, is_operator_session_required,
+                asks_for_straight_return);
   friend bool operator==(const settings&, const settings&) = default;
 };
 

@@ -18,10 +18,7 @@ struct assignment_answered {
   std::string mission_id;
   std::string assignment_id;
   mission::assignment_response response;
-  static constexpr auto fields =
-      io::table("executor.progress_assignment_answered", io::field("mission_id", &assignment_answered::mission_id),
-                io::field("assignment_id", &assignment_answered::assignment_id),
-                io::field("response", &assignment_answered::response));
+  GODWIT_FIELDS(assignment_answered, "executor.progress_assignment_answered", mission_id, assignment_id, response);
 };
 
 // An upload may or may not have come to the vehicle: wait until no transfer is under way, ask for its plan id, and tell
@@ -41,8 +38,7 @@ struct read_plan_back {
 struct resolve_start {
   static constexpr auto goes_out = runtime::effect_kind::at_once;
   std::uint16_t sequence = 0;
-  static constexpr auto fields =
-      io::table("executor.progress_settle_start", io::field("sequence", &resolve_start::sequence));
+  GODWIT_FIELDS(resolve_start, "executor.progress_settle_start", sequence);
 };
 
 enum class progress_event_kind {
@@ -58,27 +54,15 @@ enum class progress_event_kind {
   vehicle_restarted  // paused: what the vehicle flew is lost
 };
 
-constexpr auto enum_names(progress_event_kind) {
-  return io::names<progress_event_kind>({{progress_event_kind::generation_opened, "generation_opened"},
-                                         {progress_event_kind::armed, "armed"},
-                                         {progress_event_kind::not_at_start, "not_at_start"},
-                                         {progress_event_kind::plan_done, "plan_done"},
-                                         {progress_event_kind::mission_complete, "mission_complete"},
-                                         {progress_event_kind::upload_failed, "upload_failed"},
-                                         {progress_event_kind::place_missed, "place_missed"},
-                                         {progress_event_kind::foreign_plan, "foreign_plan"},
-                                         {progress_event_kind::infeasible_plan, "infeasible_plan"},
-                                         {progress_event_kind::vehicle_restarted, "vehicle_restarted"}});
-}
+GODWIT_ENUM_NAMES(progress_event_kind, generation_opened, armed, not_at_start, plan_done, mission_complete,
+                  upload_failed, place_missed, foreign_plan, infeasible_plan, vehicle_restarted);
 
 struct progress_event {
   static constexpr auto goes_out = runtime::effect_kind::at_once;
   progress_event_kind kind = progress_event_kind::generation_opened;
   std::uint32_t generation = 0;
   std::string reason; // sentence for people; empty when all is well
-  static constexpr auto fields =
-      io::table("executor.progress_news", io::field("kind", &progress_event::kind),
-                io::field("generation", &progress_event::generation), io::field("reason", &progress_event::reason));
+  GODWIT_FIELDS(progress_event, "executor.progress_news", kind, generation, reason);
 };
 
 using effect = std::variant<mission::progress_report, assignment_answered, look_at_vehicle, read_plan_back,

@@ -24,18 +24,14 @@ namespace godwit::executor::progress {
 struct mission_opened {
   std::string mission_id; // UUID
   std::int32_t revision = 1;
-  static constexpr auto fields =
-      io::table("executor.progress_mission_opened", io::field("mission_id", &mission_opened::mission_id),
-                io::field("revision", &mission_opened::revision));
+  GODWIT_FIELDS(mission_opened, "executor.progress_mission_opened", mission_id, revision);
 };
 
 // The service's assignment that a plan carries out, and the key of the answer, made before its first try.
 struct assignment_key {
   std::string assignment_id;
   std::string idempotency_key;
-  static constexpr auto fields =
-      io::table("executor.progress_assignment_key", io::field("assignment_id", &assignment_key::assignment_id),
-                io::field("idempotency_key", &assignment_key::idempotency_key));
+  GODWIT_FIELDS(assignment_key, "executor.progress_assignment_key", assignment_id, idempotency_key);
   friend bool operator==(const assignment_key&, const assignment_key&) = default;
 };
 
@@ -46,17 +42,13 @@ struct upload_intended {
   plan_map map;
   std::optional<std::uint32_t> id_before; // what the vehicle holds now; absent: nothing, or it keeps no ids
   std::optional<assignment_key> assignment;
-  static constexpr auto fields =
-      io::table("executor.progress_upload_intended", io::field("revision", &upload_intended::revision),
-                io::field("map", &upload_intended::map), io::field("id_before", &upload_intended::id_before),
-                io::field("assignment", &upload_intended::assignment));
+  GODWIT_FIELDS(upload_intended, "executor.progress_upload_intended", revision, map, id_before, assignment);
 };
 
 // A MISSION_START or a set-current is about to go to the vehicle, which will begin there.
 struct start_intended {
   std::uint16_t sequence = 0;
-  static constexpr auto fields =
-      io::table("executor.progress_start_intended", io::field("sequence", &start_intended::sequence));
+  GODWIT_FIELDS(start_intended, "executor.progress_start_intended", sequence);
 };
 
 // The missions service has more reports of a mission than we know of: numbers and generations go on behind them.
@@ -64,10 +56,8 @@ struct earlier_reports_told {
   std::string mission_id;
   std::uint32_t last_report_no = 0;
   std::optional<mission::progress_report> last_report; // absent: it does not give it back
-  static constexpr auto fields =
-      io::table("executor.progress_earlier_reports_told", io::field("mission_id", &earlier_reports_told::mission_id),
-                io::field("last_report_no", &earlier_reports_told::last_report_no),
-                io::field("last_report", &earlier_reports_told::last_report));
+  GODWIT_FIELDS(earlier_reports_told, "executor.progress_earlier_reports_told", mission_id, last_report_no,
+                last_report);
 };
 
 // The mission ends here.
@@ -85,32 +75,21 @@ enum class upload_verdict {
   unknown     // it has to be looked at
 };
 
-constexpr auto enum_names(upload_verdict) {
-  return io::names<upload_verdict>({{upload_verdict::accepted, "accepted"},
-                                    {upload_verdict::unchanged, "unchanged"},
-                                    {upload_verdict::other, "other"},
-                                    {upload_verdict::infeasible, "infeasible"},
-                                    {upload_verdict::unknown, "unknown"}});
-}
+GODWIT_ENUM_NAMES(upload_verdict, accepted, unchanged, other, infeasible, unknown);
 
 struct upload_ended {
   upload_verdict verdict = upload_verdict::unknown;
   std::optional<std::uint32_t> plan_id; // the vehicle's for the new plan, where it keeps one
   std::string reason;                   // sentence for people; empty when accepted
   bool has_no_room = false;             // the vehicle, for so long a plan
-  static constexpr auto fields =
-      io::table("executor.progress_upload_ended", io::field("verdict", &upload_ended::verdict),
-                io::field("plan_id", &upload_ended::plan_id), io::field("reason", &upload_ended::reason),
-                io::field("has_no_room", &upload_ended::has_no_room));
+  GODWIT_FIELDS(upload_ended, "executor.progress_upload_ended", verdict, plan_id, reason, has_no_room);
 };
 
 // The answer to look_at_vehicle. Told when no transfer is under way any more: one that goes on would make it untrue.
 struct vehicle_looked_at {
   std::optional<std::uint32_t> plan_id; // absent: none, or it keeps no ids
   bool is_tried_again = false;          // where the plan did not come nobody is told that the upload failed
-  static constexpr auto fields =
-      io::table("executor.progress_vehicle_looked_at", io::field("plan_id", &vehicle_looked_at::plan_id),
-                io::field("is_tried_again", &vehicle_looked_at::is_tried_again));
+  GODWIT_FIELDS(vehicle_looked_at, "executor.progress_vehicle_looked_at", plan_id, is_tried_again);
 };
 
 enum class read_back_match {
@@ -119,32 +98,25 @@ enum class read_back_match {
   other
 };
 
-constexpr auto enum_names(read_back_match) {
-  return io::names<read_back_match>(
-      {{read_back_match::pending, "pending"}, {read_back_match::before, "before"}, {read_back_match::other, "other"}});
-}
+GODWIT_ENUM_NAMES(read_back_match, pending, before, other);
 
 // The answer to read_plan_back.
 struct plan_read_back {
   read_back_match match = read_back_match::other;
   bool is_tried_again = false; // as in vehicle_looked_at
-  static constexpr auto fields =
-      io::table("executor.progress_plan_read_back", io::field("match", &plan_read_back::match),
-                io::field("is_tried_again", &plan_read_back::is_tried_again));
+  GODWIT_FIELDS(plan_read_back, "executor.progress_plan_read_back", match, is_tried_again);
 };
 
 // The vehicle flies the plan, and nobody here has started it: it counts from this item on.
 struct found_begun {
   std::uint16_t sequence = 0;
-  static constexpr auto fields =
-      io::table("executor.progress_found_begun", io::field("sequence", &found_begun::sequence));
+  GODWIT_FIELDS(found_begun, "executor.progress_found_begun", sequence);
 };
 
 // What became of the command: whether the vehicle has begun where start_intended said.
 struct start_ended {
   bool is_accepted = false;
-  static constexpr auto fields =
-      io::table("executor.progress_start_ended", io::field("is_accepted", &start_ended::is_accepted));
+  GODWIT_FIELDS(start_ended, "executor.progress_start_ended", is_accepted);
 };
 
 // -- the vehicle says -------------------------------------------------------------------------------
@@ -154,18 +126,13 @@ struct current_told {
   bool is_disarmed = false; // the vehicle flies nothing, whatever its mode (PX4 lands and stays in that of its mission)
   bool is_ours = true;      // godwit has the vehicle; what it does under anybody else is no progress of the mission
   std::vector<std::uint16_t> never_near = {}; // places of the plan that the track contradicts: not reached
-  static constexpr auto fields =
-      io::table("executor.progress_current_told", io::field("message", &current_told::message),
-                io::field("is_disarmed", &current_told::is_disarmed), io::field("is_ours", &current_told::is_ours),
-                io::field("never_near", &current_told::never_near));
+  GODWIT_FIELDS(current_told, "executor.progress_current_told", message, is_disarmed, is_ours, never_near);
 };
 
 struct reached_told {
   std::uint16_t sequence = 0;
   std::vector<std::uint16_t> never_near = {}; // as in current_told
-  static constexpr auto fields =
-      io::table("executor.progress_reached_told", io::field("sequence", &reached_told::sequence),
-                io::field("never_near", &reached_told::never_near));
+  GODWIT_FIELDS(reached_told, "executor.progress_reached_told", sequence, never_near);
 };
 
 // It stands on the ground, disarmed, and nobody has taken it from its mission: a plan that ends with a landing or a

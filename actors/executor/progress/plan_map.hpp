@@ -27,10 +27,7 @@ enum class item_role {
   unflown // the vehicle keeps it and does not execute it
 };
 
-constexpr auto enum_names(item_role) {
-  return io::names<item_role>(
-      {{item_role::flown, "flown"}, {item_role::acts, "acts"}, {item_role::unflown, "unflown"}});
-}
+GODWIT_ENUM_NAMES(item_role, flown, acts, unflown);
 
 struct mapped_item {
   std::string item_id;
@@ -42,12 +39,8 @@ struct mapped_item {
   std::optional<std::uint16_t> last_nav_sequence;
   item_role role = item_role::flown;
 
-  static constexpr auto fields = io::table(
-      "executor.progress_mapped_item", io::field("item_id", &mapped_item::item_id),
-      io::field("item_index", &mapped_item::item_index), io::field("first_sequence", &mapped_item::first_sequence),
-      io::field("sequence_count", &mapped_item::sequence_count),
-      io::field("first_nav_sequence", &mapped_item::first_nav_sequence),
-      io::field("last_nav_sequence", &mapped_item::last_nav_sequence), io::field("role", &mapped_item::role));
+  GODWIT_FIELDS(mapped_item, "executor.progress_mapped_item", item_id, item_index, first_sequence, sequence_count,
+                first_nav_sequence, last_nav_sequence, role);
   friend bool operator==(const mapped_item&, const mapped_item&) = default;
 };
 
@@ -58,10 +51,7 @@ struct plan_loop {
   std::int64_t round_ns = 0; // no vehicle flies a round in less; 0: a single place, whose rounds nobody sees
   bool counts_anew = false;  // the vehicle forgets the count as it leaves the loop (ArduPilot)
 
-  static constexpr auto fields =
-      io::table("executor.progress_plan_loop", io::field("target_sequence", &plan_loop::target_sequence),
-                io::field("jump_sequence", &plan_loop::jump_sequence), io::field("round_ns", &plan_loop::round_ns),
-                io::field("counts_anew", &plan_loop::counts_anew));
+  GODWIT_FIELDS(plan_loop, "executor.progress_plan_loop", target_sequence, jump_sequence, round_ns, counts_anew);
   friend bool operator==(const plan_loop&, const plan_loop&) = default;
 };
 
@@ -70,9 +60,7 @@ struct taken_jump {
   std::string item_id;
   std::uint32_t taken = 0;
   bool is_certain = true; // nobody has listened for as long as a round may take: it may be more
-  static constexpr auto fields =
-      io::table("executor.progress_taken_jump", io::field("item_id", &taken_jump::item_id),
-                io::field("taken", &taken_jump::taken), io::field("is_certain", &taken_jump::is_certain));
+  GODWIT_FIELDS(taken_jump, "executor.progress_taken_jump", item_id, taken, is_certain);
   friend bool operator==(const taken_jump&, const taken_jump&) = default;
 };
 
@@ -89,12 +77,8 @@ struct plan_map {
   // Where the lead-in ends with a jump, over them. Absent: the vehicle begins there, or at the first item.
   std::optional<std::uint16_t> enters_at = {};
 
-  static constexpr auto fields =
-      io::table("executor.progress_plan_map", io::field("first_sequence", &plan_map::first_sequence),
-                io::field("total", &plan_map::total), io::field("start_sequence", &plan_map::start_sequence),
-                io::field("ends_mission", &plan_map::ends_mission), io::field("items", &plan_map::items),
-                io::field("loops", &plan_map::loops), io::field("items_before", &plan_map::items_before),
-                io::field("enters_at", &plan_map::enters_at));
+  GODWIT_FIELDS(plan_map, "executor.progress_plan_map", first_sequence, total, start_sequence, ends_mission, items,
+                loops, items_before, enters_at);
   friend bool operator==(const plan_map&, const plan_map&) = default;
 };
 

@@ -37,11 +37,8 @@ struct mission_record {
   std::optional<mission::progress_report> last_report; // what the answer to an assignment tells
   std::optional<std::int32_t> completed_revision;      // complete is reported once for each
   std::vector<taken_jump> jumps = {};                  // those that were taken; as many as the mission has
-  static constexpr auto fields = io::table(
-      "executor.progress_mission_record", io::field("mission_id", &mission_record::mission_id),
-      io::field("revision", &mission_record::revision), io::field("report_no", &mission_record::report_no),
-      io::field("last_report", &mission_record::last_report),
-      io::field("completed_revision", &mission_record::completed_revision), io::field("jumps", &mission_record::jumps));
+  GODWIT_FIELDS(mission_record, "executor.progress_mission_record", mission_id, revision, report_no, last_report,
+                completed_revision, jumps);
 };
 
 enum class generation_origin {
@@ -51,12 +48,7 @@ enum class generation_origin {
   round // a jump has led the vehicle back
 };
 
-constexpr auto enum_names(generation_origin) {
-  return io::names<generation_origin>({{generation_origin::new_plan, "new_plan"},
-                                       {generation_origin::same_plan, "same_plan"},
-                                       {generation_origin::start, "start"},
-                                       {generation_origin::round, "round"}});
-}
+GODWIT_ENUM_NAMES(generation_origin, new_plan, same_plan, start, round);
 
 struct generation_state {
   std::uint32_t number = 0;
@@ -119,20 +111,12 @@ struct pending_upload {
   std::optional<std::uint32_t> id_seen; // by the look that was to resolve it
   // REACHED does not say of which plan. It counts when the next MISSION_CURRENT still has the old id.
   std::optional<std::uint16_t> unconfirmed_reached;
-  static constexpr auto fields =
-      io::table("executor.progress_pending_upload", io::field("generation", &pending_upload::generation),
-                io::field("intent", &pending_upload::intent), io::field("id_seen", &pending_upload::id_seen),
-                io::field("unconfirmed_reached", &pending_upload::unconfirmed_reached));
+  GODWIT_FIELDS(pending_upload, "executor.progress_pending_upload", generation, intent, id_seen, unconfirmed_reached);
 };
 
 enum class pause_reason { foreign_plan, vehicle_restarted, aborted, infeasible_plan };
 
-constexpr auto enum_names(pause_reason) {
-  return io::names<pause_reason>({{pause_reason::foreign_plan, "foreign_plan"},
-                                  {pause_reason::vehicle_restarted, "vehicle_restarted"},
-                                  {pause_reason::aborted, "aborted"},
-                                  {pause_reason::infeasible_plan, "infeasible_plan"}});
-}
+GODWIT_ENUM_NAMES(pause_reason, foreign_plan, vehicle_restarted, aborted, infeasible_plan);
 
 inline constexpr std::size_t max_held = 8;           // a new one is dropped then: the vehicle repeats itself
 inline constexpr std::size_t max_past_missions = 32; // the oldest is forgotten; flown again, it counts from 1
@@ -150,12 +134,8 @@ struct state {
   std::optional<pause_reason> paused;
 
   static constexpr int version = 1;
-  static constexpr auto fields =
-      io::table("executor.progress_state", io::field("mission", &state::mission),
-                io::field("past_missions", &state::past_missions),
-                io::field("last_generation", &state::last_generation), io::field("plan", &state::plan),
-                io::field("upload", &state::upload), io::field("start", &state::start), io::field("held", &state::held),
-                io::field("dropped_held", &state::dropped_held), io::field("paused", &state::paused));
+  GODWIT_FIELDS(state, "executor.progress_state", mission, past_missions, last_generation, plan, upload, start, held,
+                dropped_held, paused);
 };
 
 } // namespace godwit::executor::progress

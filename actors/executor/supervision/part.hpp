@@ -12,8 +12,6 @@ enum class part {
   after // what is owed for it is delivered
 };
 
-constexpr auto enum_names(part) {
-  return io::names<part>({{part::ground, "ground"}, {part::flight, "flight"}, {part::after, "after"}});
-}
+GODWIT_ENUM_NAMES(part, ground, flight, after);
 
 } // namespace godwit::executor::supervision

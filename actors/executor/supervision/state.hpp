@@ -18,9 +18,7 @@ struct state {
   std::uint64_t landings = 0;      // ends of flights: what was given up is revived once for each
   bool has_landed = false;         // this mission was flown, and no other one has taken its place
   bool is_failsafe_missed = false; // in this flight
-  static constexpr auto fields = io::table("executor.supervision.state", io::field("landings", &state::landings),
-                                           io::field("has_landed", &state::has_landed),
-                                           io::field("is_failsafe_missed", &state::is_failsafe_missed));
+  GODWIT_FIELDS(state, "executor.supervision.state", landings, has_landed, is_failsafe_missed);
 };
 
 [[nodiscard]] constexpr part part_of(const state& s, bool in_flight) {

@@ -31,17 +31,14 @@ namespace godwit::executor::supervision {
 struct circumstances {
   bool may_end_fast = true; // no process before it has ended fast within ten minutes
   bool is_reduced = false;  // too many ended abnormally in flight: only what flies runs
-  static constexpr auto fields =
-      io::table("executor.circumstances", io::field("may_end_fast", &circumstances::may_end_fast),
-                io::field("is_reduced", &circumstances::is_reduced));
+  GODWIT_FIELDS(circumstances, "executor.circumstances", may_end_fast, is_reduced);
 };
 
 // What an incarnation of the executor is told of its process.
 struct own_process {
   circumstances how;
   std::vector<std::string> children; // in start order
-  static constexpr auto fields = io::table("executor.own_process", io::field("how", &own_process::how),
-                                           io::field("children", &own_process::children));
+  GODWIT_FIELDS(own_process, "executor.own_process", how, children);
 };
 
 // Of CHILDREN, in their order. One that the table does not name is wanted and not essential. SCANS: what is flown is a

@@ -21,12 +21,7 @@ enum class mission_format {
   geojson
 };
 
-constexpr auto enum_names(mission_format) {
-  return io::names<mission_format>({{mission_format::json, "json"},
-                                    {mission_format::plan, "plan"},
-                                    {mission_format::waypoints, "waypoints"},
-                                    {mission_format::geojson, "geojson"}});
-}
+GODWIT_ENUM_NAMES(mission_format, json, plan, waypoints, geojson);
 
 // By the ending of a file's name, in any case: .json, .plan or .mission, .waypoints, .txt or .fen, .geojson.
 [[nodiscard]] std::optional<mission_format> format_of_name(std::string_view file_name);

@@ -23,9 +23,7 @@ struct loss {
   std::string instead;             // "flown to": what a partial conversion makes of it
   std::string line{};              // "line 7", in a file of lines
 
-  static constexpr auto fields =
-      io::table("mission.loss", io::field("item", &loss::item), io::field("what", &loss::what),
-                io::field("why", &loss::why), io::field("instead", &loss::instead), io::field("line", &loss::line));
+  GODWIT_FIELDS(loss, "mission.loss", item, what, why, instead, line);
   friend bool operator==(const loss&, const loss&) = default;
 
   // "item 3: NAV_WAYPOINT: pass radius 5 m; a waypoint of a mission is flown to; instead: flown to", and

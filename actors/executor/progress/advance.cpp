@@ -107,12 +107,16 @@ void adopt_complete(decision_context& t) {
   finish(t, true);
 }
 
-taken_jump& count_of(decision_context& t, const plan_loop& loop) {
+const std::string& jump_of(const decision_context& t, const plan_loop& loop) {
   const auto& map = t.s.plan->map;
-  auto& jumps = t.s.mission->jumps;
   const auto position = position_at(map, loop.jump_sequence);
   GODWIT_ASSERT(position, "the jump of a loop belongs to an item of the mission");
-  const auto& id = map.items[*position].item_id;
+  return map.items[*position].item_id;
+}
+
+taken_jump& count_of(decision_context& t, const plan_loop& loop) {
+  auto& jumps = t.s.mission->jumps;
+  const auto& id = jump_of(t, loop);
   const auto known = std::ranges::find(jumps, id, &taken_jump::item_id);
   return known != jumps.end() ? *known : jumps.emplace_back(taken_jump{.item_id = id});
 }
@@ -121,7 +125,7 @@ taken_jump& count_of(decision_context& t, const plan_loop& loop) {
 void leave_loops(decision_context& t, std::uint16_t from, std::uint16_t to) {
   for (const auto& each : t.s.plan->map.loops)
     if (each.counts_anew && from <= each.jump_sequence && each.jump_sequence < to)
-      count_of(t, each) = {.item_id = count_of(t, each).item_id};
+      std::erase_if(t.s.mission->jumps, [&](const taken_jump& jump) { return jump.item_id == jump_of(t, each); });
 }
 
 void wait_if_new(decision_context& t, bool was_waiting) {

@@ -1,10 +1,7 @@
 #include <array>
 
 #include "invariants/invariant.hpp"
-#include "invariants/rules/flight_rules.hpp"
-#include "invariants/rules/journal_rules.hpp"
-#include "invariants/rules/runtime_rules.hpp"
-#include "invariants/rules/scan_rules.hpp"
+#include "invariants/rules/rules.hpp"
 
 namespace godwit::invariants {
 

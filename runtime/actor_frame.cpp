@@ -1,9 +1,9 @@
 // What happens around a handler. What an actor sends: actor_frame_sending.cpp; how an incarnation ends:
 // actor_frame_end.cpp.
-#include "runtime/frame_parts.hpp"
+#include "runtime/actor_frame.hpp"
 
 #include "io/fields/utf8.hpp"
-#include "runtime/incarnation.hpp"
+#include "runtime/frame_parts.hpp"
 #include "runtime/internal_messages.hpp"
 
 namespace godwit::runtime {

@@ -1,11 +1,9 @@
 // How a handler ends badly, and what becomes of the mail of an incarnation that ends.
 #include "runtime/frame_parts.hpp"
 
-#include "runtime/dead_letter.hpp"
-#include "runtime/incarnation.hpp"
 #include "runtime/internal_messages.hpp"
-#include "runtime/journal_exceptions.hpp"
 #include "runtime/planted_bug.hpp"
+#include "runtime/stored_state.hpp"
 
 namespace godwit::runtime {
 

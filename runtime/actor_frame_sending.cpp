@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "runtime/incarnation.hpp"
 #include "runtime/internal_messages.hpp"
 
 namespace godwit::runtime {

@@ -48,11 +48,9 @@
 #include "runtime/assert.hpp"
 #include "runtime/effect_kind.hpp"
 #include "runtime/internal_messages.hpp"
-#include "runtime/journal/write_size.hpp"
-#include "runtime/journal_exceptions.hpp"
+#include "runtime/journal/records.hpp"
 #include "runtime/planted_bug.hpp"
 #include "runtime/stored_state.hpp"
-#include "runtime/variant_json.hpp"
 
 namespace godwit::runtime {
 

@@ -1,12 +1,19 @@
 // The private parts of actor_frame, for its source files. For runtime/ alone.
 #pragma once
 
+#include <cstdint>
 #include <exception>
+#include <memory>
 #include <string>
 
+#include <caf/all.hpp>
+
 #include "runtime/actor_frame.hpp"
+#include "runtime/address/stable_address.hpp"
 #include "runtime/caf_mail.hpp"
-#include "runtime/stable_address.hpp"
+#include "runtime/envelope.hpp"
+#include "runtime/journal/records.hpp"
+#include "runtime/supervision/child_spec.hpp"
 
 namespace godwit::runtime {
 
@@ -31,5 +38,29 @@ struct actor_frame::delivery {
 struct actor_frame::kept_mail {
   caf::mailbox_element_ptr element;
 };
+
+// What CAF schedules: one life of an actor. It owns the actor proper, hands it each envelope, and tells it when it
+// ends. For runtime/ alone. Thread: CAF's workers, one at a time.
+class incarnation final : public caf::event_based_actor {
+public:
+  incarnation(caf::actor_config& config, spawn_context context, const actor_maker& make);
+
+  [[nodiscard]] const char* name() const override;
+  void on_exit() override { frame_->leave(); }
+  // Of the mailbox, by its name; null: it does not take the type.
+  [[nodiscard]] const message_type* takes(std::string_view name) const { return frame_->handlers_.type_named(name); }
+
+protected:
+  caf::behavior make_behavior() override;
+
+private:
+  std::unique_ptr<actor_frame> frame_;
+};
+
+// A message that its handler could not take, as the dead-letter table keeps it for people to read. Thread: pure.
+
+// The body as JSON, secrets left out; {"too_long":true} where it is longer than what the table keeps.
+[[nodiscard]] dead_letter make_dead_letter(const envelope& m, std::int64_t at_ns, std::string sender, int crashes,
+                                           std::string reason);
 
 } // namespace godwit::runtime

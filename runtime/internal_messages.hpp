@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string>
 
+#include <caf/all.hpp>
+
 #include "io/fields/field_table.hpp"
 
 namespace godwit::runtime {
@@ -118,5 +120,11 @@ struct start_children {
 struct stop_children {
   static constexpr auto fields = io::table("runtime.stop_children");
 };
+
+// Ends an actor before it looks at any other mail. For runtime/ alone.
+[[nodiscard]] inline caf::mailbox_element_ptr kill_message(caf::actor_addr from = {}) {
+  return caf::make_mailbox_element(nullptr, caf::make_message_id(caf::message_priority::high), {},
+                                   caf::exit_msg{std::move(from), caf::exit_reason::kill});
+}
 
 } // namespace godwit::runtime

@@ -2,8 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "runtime/journal_exceptions.hpp"
-
 namespace godwit::runtime {
 
 void read_snapshot(const std::string& actor, const snapshot_record& snapshot, int version, state_migration migrate,
@@ -52,6 +50,14 @@ std::optional<recovered> read_restored(const nlohmann::json& document) {
   } catch (const nlohmann::json::exception&) {
     return std::nullopt;
   }
+}
+
+void read_stored_json(const std::string& actor, const message_type& type, std::string_view body, void* value) {
+  const auto document = nlohmann::json::parse(body, nullptr, false);
+  if (document.is_discarded())
+    throw state_unreadable(actor, "the body of a " + std::string(type.name) + " is not JSON");
+  if (const auto wrong = type.read_json(document, value); !wrong.empty())
+    throw state_unreadable(actor, std::string(type.name) + ": " + wrong);
 }
 
 } // namespace godwit::runtime

@@ -4,10 +4,10 @@
 #include <chrono>
 #include <limits>
 
+#include "runtime/address/stable_address.hpp"
 #include "runtime/assert.hpp"
 #include "runtime/caf_mail.hpp"
-#include "runtime/kill_message.hpp"
-#include "runtime/stable_address.hpp"
+#include "runtime/internal_messages.hpp"
 #include "runtime/supervision/guardian.hpp"
 
 namespace godwit::runtime {

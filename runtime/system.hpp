@@ -26,7 +26,7 @@
 #include <vector>
 
 #include "runtime/actor_frame.hpp"
-#include "runtime/address_options.hpp"
+#include "runtime/address/address_options.hpp"
 #include "runtime/gateway.hpp"
 #include "runtime/services.hpp"
 #include "runtime/supervision/child_spec.hpp"

@@ -10,7 +10,6 @@
 #include "messages/executor/station_act.hpp"
 #include "messages/failsafe/types.hpp"
 #include "messages/ground_port/mission.hpp"
-#include "messages/ground_port/plan_judged.hpp"
 #include "messages/mission_client/types.hpp"
 #include "messages/vehicle_link/types.hpp"
 

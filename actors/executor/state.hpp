@@ -39,7 +39,7 @@
 #include "messages/executor/types.hpp"
 #include "messages/flight/flight_mode.hpp"
 #include "messages/flight/home_place.hpp"
-#include "messages/ground_port/plan_judged.hpp"
+#include "messages/ground_port/mission.hpp"
 #include "messages/mission/document.hpp"
 #include "messages/mission_client/types.hpp"
 #include "runtime/effect_kind.hpp"

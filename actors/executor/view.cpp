@@ -9,7 +9,7 @@
 #include "actors/executor/preflight/checks.hpp"
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/frame_meaning.hpp"
-#include "io/mavlink/heartbeat_meaning.hpp"
+#include "io/mavlink/messages/heartbeat.hpp"
 
 namespace godwit::executor {
 namespace {

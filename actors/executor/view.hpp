@@ -15,7 +15,7 @@
 #include "actors/executor/preflight/facts.hpp"
 #include "io/mavlink/enums/vehicle.hpp"
 #include "io/mavlink/messages.hpp"
-#include "io/mavlink/messages/current_mode.hpp"
+#include "io/mavlink/messages/heartbeat.hpp"
 #include "messages/vehicle_link/connection.hpp"
 
 namespace godwit::executor {

@@ -4,10 +4,10 @@
 #include <type_traits>
 #include <utility>
 
-#include "actors/failsafe/senses.hpp"
+#include "actors/failsafe/first_look.hpp"
 #include "actors/failsafe/vehicle_texts.hpp"
 #include "io/mavlink/enums.hpp"
-#include "io/mavlink/heartbeat_meaning.hpp"
+#include "io/mavlink/messages/heartbeat.hpp"
 #include "runtime/assert.hpp"
 
 namespace godwit::failsafe {

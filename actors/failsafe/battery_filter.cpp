@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "actors/failsafe/instant.hpp"
+#include "actors/failsafe/events.hpp"
 
 namespace godwit::failsafe {
 

@@ -9,7 +9,6 @@
 #include "actors/domain/control_authority/mode_tables.hpp"
 #include "actors/domain/home/home.hpp"
 #include "actors/domain/vehicle_text/vehicle_text.hpp"
-#include "actors/failsafe/sentences.hpp"
 #include "actors/failsafe/vehicle_texts.hpp"
 
 namespace godwit::failsafe {

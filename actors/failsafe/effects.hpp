@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "actors/failsafe/command.hpp"
+#include "actors/failsafe/reaction.hpp"
 #include "actors/failsafe/state.hpp"
 #include "io/fields/field_table.hpp"
 #include "io/mavlink/enums/vehicle.hpp"

@@ -6,13 +6,28 @@
 #include <string>
 #include <variant>
 
-#include "actors/failsafe/vehicle.hpp"
+#include "io/fields/field_table.hpp"
 #include "io/mavlink/enums/vehicle.hpp"
+#include "io/time_units.hpp"
 #include "messages/failsafe/types.hpp"
+#include "messages/flight/flight_mode.hpp"
+#include "messages/flight/vehicle_class.hpp"
 #include "messages/vehicle_link/command.hpp"
 #include "messages/vehicle_link/evidence.hpp"
 
 namespace godwit::failsafe {
+
+// What a failsafe has to know of the vehicle: what it is, what its mode comes down to, and whether it stands.
+//
+// Every autopilot numbers its modes in its own way. Whoever reads the heartbeat says what a number comes down to; the
+// number itself is kept too, because a change between two modes of one kind is a change all the same. Thread: plain
+// values.
+using flight::flight_mode;
+using flight::mode_kind;
+using flight::vehicle_class;
+
+// As EXTENDED_SYS_STATE says it.
+enum class landed_state { unknown, on_ground, in_air, taking_off, landing };
 
 // -- from the vehicle ------------------------------------------------------------------------------
 
@@ -94,5 +109,12 @@ struct asked_guard {
 using event = std::variant<heartbeat, modes_told, landed, position, home_told, battery, mission_current, autopilot_text,
                            command_resolved, operator_heard, asked_override, hand_back, asked_guard, expect_mode,
                            taken_over, command_pending, following, vehicle_link::foreign_act, return_taken>;
+
+using godwit::instant;
+using godwit::ns_per_ms;
+using godwit::ns_per_s;
+
+// All decisions fall on a tick. From a breach to the command it takes at most one of them.
+inline constexpr std::int64_t tick_ms = 100;
 
 } // namespace godwit::failsafe

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "actors/domain/geo/local_projection.hpp"
-#include "actors/failsafe/instant.hpp"
+#include "actors/failsafe/events.hpp"
 
 namespace godwit::failsafe {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "actors/failsafe/instant.hpp"
+#include "actors/failsafe/events.hpp"
 
 namespace godwit::failsafe {
 

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "actors/failsafe/vehicle.hpp"
+#include "actors/failsafe/events.hpp"
 
 namespace godwit::failsafe {
 

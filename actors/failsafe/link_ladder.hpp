@@ -16,7 +16,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "actors/failsafe/instant.hpp"
+#include "actors/failsafe/events.hpp"
 #include "actors/failsafe/settings.hpp"
 #include "io/fields/field_table.hpp"
 

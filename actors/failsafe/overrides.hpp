@@ -15,7 +15,7 @@
 
 #include <tl/expected.hpp>
 
-#include "actors/failsafe/instant.hpp"
+#include "actors/failsafe/events.hpp"
 #include "actors/failsafe/rules.hpp"
 #include "messages/failsafe/types.hpp"
 

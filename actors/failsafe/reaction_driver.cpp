@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "actors/failsafe/instant.hpp"
+#include "actors/failsafe/events.hpp"
 #include "runtime/assert.hpp"
 
 namespace godwit::failsafe {

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <optional>
 
-#include "actors/failsafe/command.hpp"
 #include "actors/failsafe/events.hpp"
 #include "actors/failsafe/reaction.hpp"
 #include "actors/failsafe/rules.hpp"

@@ -10,11 +10,10 @@
 #include <variant>
 #include <vector>
 
-#include "actors/failsafe/command.hpp"
-#include "actors/failsafe/latch_table.hpp"
 #include "actors/failsafe/link_ladder.hpp"
 #include "actors/failsafe/overrides.hpp"
 #include "actors/failsafe/reaction.hpp"
+#include "actors/failsafe/rules.hpp"
 #include "actors/failsafe/takeover_detector.hpp"
 #include "io/fields/field_table.hpp"
 #include "messages/failsafe/types.hpp"

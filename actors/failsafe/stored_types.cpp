@@ -1,5 +1,5 @@
 // What the journal keeps of this actor: its JSON and binary forms (runtime/define_message.hpp).
-#include "actors/failsafe/command.hpp"
+#include "actors/failsafe/reaction.hpp"
 #include "actors/failsafe/state.hpp"
 #include "runtime/define_message.hpp"
 

@@ -22,9 +22,8 @@
 #include <vector>
 
 #include "actors/domain/control_authority/control_authority.hpp"
+#include "actors/failsafe/events.hpp"
 #include "actors/failsafe/flight_watch.hpp"
-#include "actors/failsafe/instant.hpp"
-#include "actors/failsafe/vehicle.hpp"
 #include "io/fields/field_table.hpp"
 
 namespace godwit::failsafe {

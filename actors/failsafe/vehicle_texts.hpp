@@ -7,10 +7,14 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "actors/domain/flight_mode/flight_modes.hpp"
-#include "actors/failsafe/command.hpp"
+#include "actors/failsafe/battery_filter.hpp"
+#include "actors/failsafe/fence_watch.hpp"
+#include "actors/failsafe/reaction.hpp"
+#include "actors/failsafe/rules.hpp"
 #include "messages/vehicle_link/command.hpp"
 
 namespace godwit::failsafe {
@@ -25,5 +29,13 @@ namespace godwit::failsafe {
 
 // The exact modes that obey it.
 [[nodiscard]] std::vector<std::uint32_t> modes_for(action what, const flight::mode_owner& whose);
+
+// What the failsafes say to people. Thread: pure.
+
+// "the battery is at 14 %"
+[[nodiscard]] std::string cause_of(rule why, const battery_verdict& level, const fence_verdict& fences);
+
+// "the vehicle lands"
+[[nodiscard]] std::string deed_of(action what);
 
 } // namespace godwit::failsafe

@@ -23,15 +23,11 @@
 #include "actors/fleet_link/live_texts.hpp"
 #include "actors/fleet_link/settings.hpp"
 #include "actors/fleet_link/state.hpp"
+#include "io/time_units.hpp"
 #include "messages/fleet_link/types.hpp"
 #include "runtime/condition.hpp"
 
 namespace godwit::fleet_link {
-
-struct instant {
-  std::int64_t monotonic_ns = 0;
-  std::int64_t wall_ns = 0;
-};
 
 struct open_broker {
   std::uint64_t attempt = 0;

@@ -6,7 +6,7 @@
 
 #include "actors/ground_port/about.hpp"
 #include "actors/ground_port/decision_context.hpp"
-#include "io/mavlink/heartbeat_meaning.hpp"
+#include "io/mavlink/messages/heartbeat.hpp"
 #include "io/time_units.hpp"
 
 namespace godwit::ground_port {

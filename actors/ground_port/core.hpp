@@ -29,19 +29,14 @@
 #include "actors/ground_port/command_reading.hpp"
 #include "actors/ground_port/effects.hpp"
 #include "actors/ground_port/forward_gate.hpp"
-#include "actors/ground_port/message_allowlist.hpp"
 #include "actors/ground_port/mission_server/server.hpp"
 #include "actors/ground_port/passing/act_queue.hpp"
-#include "actors/ground_port/passing/act_series.hpp"
-#include "actors/ground_port/passing/budget.hpp"
 #include "actors/ground_port/passing/forwarded_commands.hpp"
 #include "actors/ground_port/passing/stick_watch.hpp"
 #include "actors/ground_port/passing/table.hpp"
 #include "actors/ground_port/plan_views.hpp"
 #include "actors/ground_port/settings.hpp"
-#include "actors/ground_port/start_dedup.hpp"
 #include "actors/ground_port/state.hpp"
-#include "actors/ground_port/station_rules.hpp"
 #include "actors/ground_port/station_table.hpp"
 #include "actors/ground_port/text_queue.hpp"
 #include "actors/ground_port/vehicle_role/current_report.hpp"
@@ -49,7 +44,7 @@
 #include "actors/ground_port/vehicle_role/param_table.hpp"
 #include "io/mavlink/messages/request_data_stream.hpp"
 #include "io/mavlink/signing/channel.hpp"
-#include "messages/ground_port/plan_judged.hpp"
+#include "messages/ground_port/mission.hpp"
 #include "messages/ground_port/types.hpp"
 #include "messages/operator/types.hpp"
 #include "messages/operator_bridge/control.hpp"
@@ -208,7 +203,7 @@ private:
   void read_back(decision_context& t, const vehicle_link::relayed_frame& asked);
   [[nodiscard]] io::link::peer_id way_of(const vehicle_link::relayed_frame& m) const;
 
-  // core_items.cpp
+  // core_current.cpp
   [[nodiscard]] bool route_item(decision_context& t, const mavlink::frame_view& frame);
   void answer_item(decision_context& t, const vehicle_role::order& what, mavlink::mav_result result);
   void note_forwarded_item(mavlink::sender by, std::int64_t now_ns);
@@ -222,8 +217,6 @@ private:
   void say_word_of(decision_context& t, const vehicle_role::order& what, operators::command_kind which);
   void begin_word(decision_context& t, const vehicle_role::order& what, const operators::command& command);
   void end_word(decision_context& t, std::uint64_t request, mavlink::mav_result result, const std::string& reason);
-
-  // core_principals.cpp
   void tell_audit(decision_context& t, mavlink::sender who, std::string what, std::string outcome, std::string reason);
   void audit_act(decision_context& t, const passing::waiting_act& what, const std::string& outcome, std::string reason);
   [[nodiscard]] std::optional<station_rules::objection> object_to(decision_context& t, mavlink::sender who,

@@ -1,6 +1,6 @@
 // The part of the core that is about commands of stations.
 //
-//   MISSION_START                    see vehicle_role/mission_start.hpp and start_dedup.hpp
+//   MISSION_START                    see vehicle_role/mission_start.hpp and command_dedup.hpp
 //   DO_REPOSITION, _PAUSE_CONTINUE   see word_reading.hpp and command_dedup.hpp
 //   DO_SET_MISSION_CURRENT           out of range DENIED; not running: the start item; running: the executor's
 //   REQUEST_MESSAGE, 410, 519, 520   ACCEPTED and the message; DENIED: not one of ours; FAILED: nothing heard yet
@@ -12,9 +12,9 @@
 #include <utility>
 
 #include "actors/ground_port/about.hpp"
+#include "actors/ground_port/command_reading.hpp"
 #include "actors/ground_port/core.hpp"
 #include "actors/ground_port/decision_context.hpp"
-#include "actors/ground_port/number_reading.hpp"
 #include "io/time_units.hpp"
 
 namespace godwit::ground_port {

@@ -5,7 +5,7 @@
 
 #include "actors/ground_port/core.hpp"
 #include "actors/ground_port/decision_context.hpp"
-#include "io/mavlink/plan_checksum.hpp"
+#include "io/mavlink/plan_meaning.hpp"
 #include "runtime/assert.hpp"
 
 namespace godwit::ground_port {

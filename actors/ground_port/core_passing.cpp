@@ -8,7 +8,7 @@
 //                                       ├──refused──> TEMPORARILY_REJECTED, and the reason
 //                                       └──no answer──> what ends the vehicle's motion goes on, with the failsafe told
 //                                                       first; all else is refused
-// What people do is a row of the audit: one when a stream of sticks or of parameters begins (passing/act_series.hpp).
+// What people do is a row of the audit: one when a stream of sticks or of parameters begins (passing/act_queue.hpp).
 //
 //   mission mode ──> as MISSION_START, as going on where the flight is paused, or the way back from a go to; hold ──>
 //   the executor decides
@@ -23,7 +23,6 @@
 #include "actors/ground_port/command_reading.hpp"
 #include "actors/ground_port/core.hpp"
 #include "actors/ground_port/decision_context.hpp"
-#include "actors/ground_port/number_reading.hpp"
 #include "actors/ground_port/passing/as_said.hpp"
 #include "actors/ground_port/passing/file_transfer.hpp"
 #include "io/fields/field_table.hpp"

@@ -12,9 +12,9 @@
 #include "io/mavlink/frame.hpp"
 #include "messages/executor/station_act.hpp"
 #include "messages/executor/types.hpp"
-#include "messages/ground_port/operator_link.hpp"
+#include "messages/ground_port/types.hpp"
 #include "messages/operator/types.hpp"
-#include "messages/vehicle_link/relay.hpp"
+#include "messages/vehicle_link/evidence.hpp"
 
 namespace godwit::ground_port {
 

@@ -14,7 +14,7 @@
 #include "messages/executor/known_missions.hpp"
 #include "messages/failsafe/types.hpp"
 #include "messages/fleet_link/types.hpp"
-#include "messages/ground_port/description.hpp"
+#include "messages/ground_port/types.hpp"
 #include "messages/health/types.hpp"
 #include "messages/mapobjects_store/status.hpp"
 #include "messages/mission_client/types.hpp"

@@ -20,11 +20,10 @@
 #include <vector>
 
 #include "actors/line/line_input.hpp"
-#include "actors/line/secret_eraser.hpp"
 #include "actors/line/transmission.hpp"
 #include "io/link/wire.hpp"
 #include "io/mavlink/signing/channel.hpp"
-#include "io/mavlink/signing/signing_time.hpp"
+#include "io/mavlink/signing/signature.hpp"
 #include "runtime/content_hash.hpp"
 #include "runtime/durable_actor.hpp"
 

@@ -4,11 +4,9 @@
 #include <utility>
 
 #include "actors/mapobjects_store/deliveries.hpp"
-#include "actors/mapobjects_store/ignore_list.hpp"
-#include "actors/mapobjects_store/map_summary.hpp"
+#include "actors/mapobjects_store/map_health.hpp"
 #include "actors/mapobjects_store/mission_scope.hpp"
-#include "actors/mapobjects_store/object_view.hpp"
-#include "actors/mapobjects_store/orphans.hpp"
+#include "actors/mapobjects_store/pass_review.hpp"
 #include "actors/mapobjects_store/sightings.hpp"
 
 namespace godwit::mapobjects_store {

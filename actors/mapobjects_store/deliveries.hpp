@@ -2,10 +2,13 @@
 // messages/mapobjects_store/delivery.hpp. Thread: the one of the database.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "actors/mapobjects_store/map_row.hpp"
 #include "actors/mapobjects_store/map_tables.hpp"
 #include "messages/mapobjects_store/delivery.hpp"
+#include "messages/mapobjects_store/observation.hpp"
 
 namespace godwit::mapobjects_store {
 
@@ -33,5 +36,19 @@ inline constexpr std::int64_t max_listed_batches = 1024;
 
 // One line for each mission and destination that has something.
 [[nodiscard]] map_result<std::vector<owed>> all_owed(sql& q);
+
+// Observations as rows. Thread: the one of the database.
+
+// From a SELECT that has the columns of an observation first, in the order of its fields.
+[[nodiscard]] observation observation_of(const sql::row& row);
+
+// Also one that was orphaned since.
+[[nodiscard]] map_result<std::optional<observation>> observation_with(sql& q, const std::string& id);
+
+// As pending; answers its number. The id is not known yet.
+[[nodiscard]] map_result<std::int64_t> add_observation(sql& q, const observation& what);
+
+// Whether something other than a missing was observed of the object from then on.
+[[nodiscard]] map_result<bool> was_seen(sql& q, const std::string& object_id, std::int64_t since_ns);
 
 } // namespace godwit::mapobjects_store

@@ -5,6 +5,8 @@
 
 #include <tl/expected.hpp>
 
+#include "io/sqlite/store_error.hpp"
+
 namespace godwit::mapobjects_store {
 
 enum class map_errc {
@@ -39,5 +41,12 @@ using map_result = tl::expected<T, map_error>;
 [[nodiscard]] inline tl::unexpected<map_error> refused(std::string why) {
   return tl::unexpected(map_error{map_errc::refused, std::move(why), {}});
 }
+
+// Errors of the file in the map's words. Thread: any.
+
+[[nodiscard]] map_error from_store(const io::sqlite::store_error& error);
+
+// DOING completes the sentence "... while DOING".
+[[nodiscard]] map_error from_sqlite(const io::sqlite::error& error, const std::string& doing);
 
 } // namespace godwit::mapobjects_store

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "actors/mapobjects_store/object_table.hpp"
-#include "actors/mapobjects_store/place_tree.hpp"
 
 namespace godwit::mapobjects_store {
 

@@ -3,7 +3,7 @@
 #include "actors/domain/geo/geodesic.hpp"
 #include "actors/domain/geo/mgrs.hpp"
 #include "actors/domain/uuid/uuid.hpp"
-#include "actors/mapobjects_store/geo_point.hpp"
+#include "actors/mapobjects_store/map_row.hpp"
 
 namespace godwit::mapobjects_store {
 

@@ -5,17 +5,40 @@
 // Thread: any; which one calls DONE is said by who implements it.
 #pragma once
 
+#include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 
-#include "actors/mapobjects_store/load_finish.hpp"
+#include "actors/mapobjects_store/garbage.hpp"
 #include "actors/mapobjects_store/map_load.hpp"
-#include "actors/mapobjects_store/map_work.hpp"
+#include "actors/mapobjects_store/map_store.hpp"
 #include "actors/mapobjects_store/pass_review.hpp"
+#include "io/sqlite/group_target.hpp"
 
 namespace godwit::mapobjects_store {
+
+// What waits for the writer of the map: changes, which share a transaction, and long jobs, which are begun when all
+// that came before them is durable.
+//
+// Thread: plain values; the writer runs them.
+
+// A change of the map, tried again from its beginning when the disk refuses it.
+struct queued_change {
+  map_store::change work;
+  std::function<void(const map_result<void>&)> done;
+};
+
+// Makes a long job; tells its asker itself when that fails.
+struct queued_job {
+  std::function<std::unique_ptr<staged_work>(map_store&)> start;
+  std::function<void(const map_error&)> dropped; // instead of being started
+};
+
+using queued_work = std::variant<queued_change, queued_job>;
 
 struct map_writer_status {
   bool failing = false;      // the last commit failed, the writer keeps trying
@@ -63,5 +86,52 @@ map_result<void> map_access::post(Work work, Done done) {
                                   done(outcome ? std::move(**slot) : result(tl::unexpected(outcome.error())));
                                 }});
 }
+
+// What the map's writer does with what waits: changes commit in groups, long jobs (pages of a load, the end of a pass,
+// garbage) go on in turns.
+//
+// Each change is decided inside the transaction that makes it durable. One that is refused before it has written
+// anything leaves those beside it alone; one that goes wrong half way is left out, and they are tried again without it.
+// Thread: the writer's.
+struct map_item {
+  queued_work work;
+  map_result<void> said = {}; // by the change itself, in the try that counts
+};
+
+class map_target final : public io::sqlite::group_target<map_item> {
+public:
+  using time_point = std::chrono::steady_clock::time_point;
+
+  map_target(std::unique_ptr<map_store> store, std::function<time_point()> clock)
+      : store_(std::move(store)), clock_(std::move(clock)) {}
+
+  [[nodiscard]] bool is_write(const map_item& item) const override;
+  [[nodiscard]] io::sqlite::store_result<void> begin() override;
+  [[nodiscard]] io::sqlite::store_result<void> apply(map_item& item) override;
+  [[nodiscard]] io::sqlite::store_result<void> commit() override;
+  void roll_back() override { store_->roll_back(); }
+  void finish(map_item& item, const io::sqlite::store_result<void>& result) override;
+  void run(map_item& job) override;
+  void give_up(map_item& item, const std::optional<io::sqlite::store_error>& why) override;
+  [[nodiscard]] bool has_turn() override;
+  [[nodiscard]] io::sqlite::store_result<bool> take_turn(const std::function<bool()>& urgent) override;
+  void look_after_log(bool busy) override { store_->look_after_log(busy); }
+  void close() override;
+
+private:
+  void look_for_garbage();
+  void end_job(const map_result<void>& result);
+
+  std::unique_ptr<map_store> store_;
+  const std::function<time_point()> clock_;
+  std::deque<std::unique_ptr<staged_work>> jobs_;
+
+  // Only when there is no other job. What the map was like when it began: another one has garbage again.
+  std::unique_ptr<garbage_collection> garbage_;
+  std::int64_t clean_generation_ = -1;
+  std::int64_t clean_loading_ = 0;
+  std::string clean_mission_;
+  std::uint64_t changes_since_clean_ = 0;
+};
 
 } // namespace godwit::mapobjects_store

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "actors/mapobjects_store/map_access.hpp"
+#include "actors/mapobjects_store/map_tables.hpp"
 #include "messages/mapobjects_store/status.hpp"
 #include "runtime/condition.hpp"
 
@@ -14,5 +15,10 @@ namespace godwit::mapobjects_store {
 // old map is the operator's to judge, in preflight.
 [[nodiscard]] runtime::condition health_of(const map_result<map_writer_status>& writer,
                                            const std::optional<map_status>& known);
+
+// How the map is, counted. Thread: the one of the database.
+
+// Looks at each row that is owed: some 5 ms for 50,000.
+[[nodiscard]] map_result<map_status> summary(map_tables& t);
 
 } // namespace godwit::mapobjects_store

@@ -14,8 +14,8 @@
 #include "actors/mapobjects_store/map_tables.hpp"
 #include "actors/mapobjects_store/pass_review.hpp"
 #include "actors/mapobjects_store/staged_work.hpp"
+#include "io/sqlite/database.hpp"
 #include "io/sqlite/log_keeper.hpp"
-#include "io/sqlite/transaction.hpp"
 
 namespace godwit::mapobjects_store {
 

@@ -1,6 +1,6 @@
 #include "actors/mapobjects_store/map_writer.hpp"
 
-#include "actors/mapobjects_store/map_target.hpp"
+#include "actors/mapobjects_store/map_access.hpp"
 #include "io/sqlite/group_writer.hpp"
 
 namespace godwit::mapobjects_store {

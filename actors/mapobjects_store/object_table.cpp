@@ -1,6 +1,8 @@
 #include "actors/mapobjects_store/object_table.hpp"
 
-#include "actors/mapobjects_store/place_tree.hpp"
+#include <tuple>
+
+#include "actors/domain/geo/geodesic.hpp"
 
 namespace godwit::mapobjects_store {
 
@@ -111,6 +113,61 @@ map_result<void> note_seen_again(sql& q, const stored_object& object, std::int64
   return q.run(object.is_loaded ? "UPDATE loaded_object SET last_seen_ns = max(last_seen_ns, ?) WHERE number = ?"
                                 : "UPDATE seen_object SET last_seen_ns = max(last_seen_ns, ?) WHERE number = ?",
                at_ns, object.number);
+}
+
+namespace {
+
+constexpr by_tree any_place = {"SELECT number FROM loaded_place_0 LIMIT 1",
+                               "SELECT number FROM loaded_place_1 LIMIT 1"};
+constexpr by_tree drop = {"DROP TABLE loaded_place_0", "DROP TABLE loaded_place_1"};
+constexpr by_tree create = {"CREATE VIRTUAL TABLE loaded_place_0 USING rtree(number, min_latitude_deg, "
+                            "max_latitude_deg, min_longitude_deg, max_longitude_deg)",
+                            "CREATE VIRTUAL TABLE loaded_place_1 USING rtree(number, min_latitude_deg, "
+                            "max_latitude_deg, min_longitude_deg, max_longitude_deg)"};
+constexpr by_tree insert = {"INSERT INTO loaded_place_0 VALUES (?1, ?2, ?2, ?3, ?3)",
+                            "INSERT INTO loaded_place_1 VALUES (?1, ?2, ?2, ?3, ?3)"};
+
+} // namespace
+
+map_result<void> clear_tree(sql& q, std::int64_t tree) {
+  const auto any = q.first(of_tree(any_place, tree), [](sql::row& row) { return row.integer(0); });
+  if (!any)
+    return tl::unexpected(any.error());
+  if (!*any)
+    return {};
+  return q.run(of_tree(drop, tree)).and_then([&] { return q.run(of_tree(create, tree)); });
+}
+
+map_result<void> add_place(sql& q, std::int64_t tree, const loaded_place& place) {
+  return q.run(of_tree(insert, tree), place.number, place.latitude_deg, place.longitude_deg);
+}
+
+std::optional<match> nearest_match(const geo::point& seen_at, std::span<const candidate> candidates,
+                                   const settings& rules) {
+  std::optional<match> best;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const double distance_m = geo::distance_m(seen_at, candidates[i].at);
+    if (distance_m > rules.match_within_m)
+      continue;
+    const bool better =
+        !best || std::tie(distance_m, candidates[i].id) < std::tie(best->distance_m, candidates[best->index].id);
+    if (better)
+      best = match{i, distance_m};
+  }
+  return best;
+}
+
+observation_kind kind_of(const std::optional<match>& found, bool ignored, const settings& rules) {
+  if (ignored)
+    return observation_kind::ignored;
+  if (!found)
+    return observation_kind::found;
+  return found->distance_m > rules.moved_above_m ? observation_kind::moved : observation_kind::existing;
+}
+
+bool is_finding(observation_kind kind) {
+  return kind == observation_kind::found || kind == observation_kind::moved ||
+         kind == observation_kind::removed_candidate;
 }
 
 } // namespace godwit::mapobjects_store

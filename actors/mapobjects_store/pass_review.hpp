@@ -7,15 +7,82 @@
 // pass and object: a review that is done again misses nothing twice. Thread: the writer's.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
+#include <unordered_set>
+#include <variant>
 #include <vector>
 
+#include "actors/domain/geo/bounding_box.hpp"
+#include "actors/domain/geo/polygon.hpp"
+#include "actors/mapobjects_store/map_row.hpp"
+#include "actors/mapobjects_store/map_tables.hpp"
 #include "actors/mapobjects_store/staged_work.hpp"
-#include "actors/mapobjects_store/view_cursor.hpp"
+#include "io/sqlite/database.hpp"
 #include "messages/mapobjects_store/pass.hpp"
 
 namespace godwit::mapobjects_store {
+
+// What was in view during a pass, as areas that can be asked one by one. Thread: pure.
+struct circle_area {
+  geo::point centre;
+  double radius_m = 0;
+};
+
+using view_area = std::variant<circle_area, geo::polygon>;
+
+// Input that was checked.
+[[nodiscard]] std::vector<view_area> areas_of(const pass_end& pass);
+
+[[nodiscard]] bool contains(const view_area& area, const geo::point& at);
+[[nodiscard]] std::vector<geo::bounding_box> boxes_of(const view_area& area);
+
+// The objects in view of a pass, one after the other, from the map as it was when the cursor was opened.
+//
+// It holds that state of the file with an open read transaction, on a connection of its own: writing goes on beside it,
+// and only the log can not be shortened meanwhile. Thread: one at a time.
+class view_cursor {
+public:
+  // PASS was checked.
+  [[nodiscard]] static map_result<view_cursor> open(io::sqlite::database reader, const pass_end& pass);
+
+  struct row {
+    std::string object_id;
+    std::int64_t loaded_number = 0; // 0 = it was seen here
+    bool in_view = false;           // else it was only near, or was in view before
+  };
+
+  // Nothing after the last one.
+  [[nodiscard]] map_result<std::optional<row>> next();
+
+private:
+  struct box_query {
+    io::sqlite::statement prepared;
+    bool is_loaded = false;
+  };
+  struct question {
+    std::size_t query = 0;
+    std::size_t area = 0;
+    geo::bounding_box box;
+  };
+
+  view_cursor(io::sqlite::database reader, const pass_end& pass);
+  [[nodiscard]] map_result<void> prepare(const char* text, bool is_loaded);
+  row judge();
+
+  std::unique_ptr<io::sqlite::database> reader_; // a place of its own, which the statements point to
+  std::vector<box_query> queries_;               // gone before their connection
+  std::int64_t pulled_observation_ = 0;
+  std::vector<view_area> areas_;
+  std::vector<question> questions_;
+  std::size_t question_ = 0;
+  bool asked_ = false; // the query runs for questions_[question_]
+  std::unordered_set<std::string> groups_;
+  std::unordered_set<std::int64_t> known_numbers_; // those seen here as negative ones; at most one for each in view
+};
 
 class pass_review final : public staged_work {
 public:
@@ -40,5 +107,17 @@ private:
   pass_reviewed staged_;
   pass_reviewed counts_;
 };
+
+// What of the map people are shown of a part of it: the newest objects, and how many there are.
+//
+// At most max_counted_objects of those that were pulled are looked at, and as many of those that were seen here,
+// whatever the map has: it is asked in the thread that writes. Thread: the one of the database.
+struct objects_found {
+  std::vector<shown_object> list;
+  std::uint64_t counted = 0;
+  bool is_all = true;
+};
+
+[[nodiscard]] map_result<objects_found> look_at_objects(map_tables& t, const get_objects& asked);
 
 } // namespace godwit::mapobjects_store

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "actors/domain/uuid/uuid.hpp"
-#include "actors/movement_detector/gimbal_attitude.hpp"
+#include "actors/movement_detector/camera_attitude.hpp"
 #include "io/mavlink/frame_meaning.hpp"
 
 namespace godwit::movement_detector {

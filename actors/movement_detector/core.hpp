@@ -21,18 +21,13 @@
 #include "io/eyes/messages.hpp"
 #include "io/mavlink/messages/gimbal.hpp"
 #include "io/mavlink/messages/position.hpp"
+#include "io/time_units.hpp"
 #include "messages/mapobjects_store/observation.hpp"
 #include "messages/movement_detector/types.hpp"
-#include "messages/scan_controller/survey_progress.hpp"
 #include "messages/scan_controller/view.hpp"
 #include "runtime/condition.hpp"
 
 namespace godwit::movement_detector {
-
-struct instant {
-  std::int64_t monotonic_ns = 0;
-  std::int64_t wall_ns = 0;
-};
 
 struct start_helper {
   std::uint32_t run = 0;

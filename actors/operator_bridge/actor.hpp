@@ -14,7 +14,6 @@
 
 #include "actors/operator_bridge/core.hpp"
 #include "actors/operator_bridge/presence.hpp"
-#include "actors/operator_bridge/session_ends.hpp"
 #include "messages/executor/handle.hpp"
 #include "messages/operator_bridge/handle.hpp"
 #include "runtime/durable_actor.hpp"

@@ -18,7 +18,7 @@
 #include <utility>
 
 #include "actors/operator_bridge/effects.hpp"
-#include "actors/operator_bridge/instant.hpp"
+#include "io/time_units.hpp"
 
 namespace godwit::operator_bridge {
 

@@ -14,8 +14,8 @@
 
 #include "actors/operator_bridge/audit.hpp"
 #include "io/sqlite/database.hpp"
+#include "runtime/journal/journal_file.hpp"
 #include "runtime/journal/records.hpp"
-#include "runtime/journal/schema.hpp"
 
 namespace godwit::operator_bridge {
 

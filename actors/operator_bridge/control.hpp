@@ -15,7 +15,7 @@
 
 #include "actors/operator_bridge/audit.hpp"
 #include "actors/operator_bridge/effects.hpp"
-#include "actors/operator_bridge/instant.hpp"
+#include "io/time_units.hpp"
 
 namespace godwit::operator_bridge {
 

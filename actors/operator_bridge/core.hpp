@@ -25,9 +25,9 @@
 #include "actors/operator_bridge/audit.hpp"
 #include "actors/operator_bridge/control.hpp"
 #include "actors/operator_bridge/effects.hpp"
-#include "actors/operator_bridge/instant.hpp"
 #include "actors/operator_bridge/sessions.hpp"
 #include "actors/operator_bridge/settings.hpp"
+#include "io/time_units.hpp"
 
 namespace godwit::operator_bridge {
 

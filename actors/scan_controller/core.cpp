@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "actors/domain/geo/geodesic.hpp"
-#include "actors/scan_controller/matching.hpp"
+#include "actors/scan_controller/point.hpp"
 #include "io/fields/field_table.hpp"
 #include "io/time_units.hpp"
 

@@ -16,10 +16,10 @@
 #include <vector>
 
 #include "actors/domain/geo/point.hpp"
-#include "actors/scan_controller/instant.hpp"
-#include "actors/scan_controller/priority.hpp"
+#include "actors/scan_controller/point.hpp"
 #include "actors/scan_controller/settings.hpp"
 #include "actors/scan_controller/state.hpp"
+#include "io/time_units.hpp"
 #include "messages/scan_controller/types.hpp"
 
 namespace godwit::scan_controller {

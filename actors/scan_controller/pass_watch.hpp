@@ -6,10 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "actors/scan_controller/instant.hpp"
 #include "actors/scan_controller/settings.hpp"
 #include "actors/scan_controller/state.hpp"
-#include "messages/scan_controller/survey_progress.hpp"
+#include "io/time_units.hpp"
 #include "messages/scan_controller/view.hpp"
 
 namespace godwit::scan_controller {

@@ -4,10 +4,13 @@
 //                     └──> dropped: too_faint, too_old, no_room, mission_over
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "actors/domain/geo/point.hpp"
 #include "io/fields/field_table.hpp"
 #include "messages/mapobjects_store/object.hpp"
 #include "messages/scan_controller/point.hpp"
@@ -44,5 +47,43 @@ struct closed_point {
 enum class drop_reason { too_faint, too_old, no_room };
 
 GODWIT_ENUM_NAMES(drop_reason, too_faint, too_old, no_room);
+
+// Which point of interest a candidate is about: of the same class group, and the same object of the map or near enough.
+// Pure. Thread: any.
+
+[[nodiscard]] bool is_about(const candidate& seen, const point& known, double within_m);
+
+[[nodiscard]] inline const point& point_of(const point& each) { return each; }
+template <class Phase>
+[[nodiscard]] const point& point_of(const Phase& each) {
+  return each.what;
+}
+
+// Null: none in the list.
+template <class Listed>
+[[nodiscard]] const Listed* find_match(const std::vector<Listed>& list, const candidate& seen, double within_m) {
+  const auto found =
+      std::ranges::find_if(list, [&](const Listed& each) { return is_about(seen, point_of(each), within_m); });
+  return found == list.end() ? nullptr : &*found;
+}
+
+// How much a point of interest is worth a look now: confidence x nearness x freshness x movement, each 0..1. Pure.
+// Thread: any.
+
+// Where each of them has come down to a half.
+inline constexpr double half_nearness_m = 500;
+inline constexpr double half_freshness_ns = 60e9;
+inline constexpr double standing_worth = 0.7; // of what moves
+
+// VEHICLE: where it is; nothing: not known, and all are equally near.
+[[nodiscard]] double priority_of(const point& what, const std::optional<geo::point>& vehicle, std::int64_t now_ns);
+
+// A goes before B. What is not above the threshold comes last; among equals the older number comes first.
+struct ranked {
+  bool is_above = false; // the threshold
+  double priority = 0;
+  std::uint64_t number = 0;
+};
+[[nodiscard]] bool goes_before(const ranked& a, const ranked& b);
 
 } // namespace godwit::scan_controller

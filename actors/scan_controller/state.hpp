@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "actors/scan_controller/facts.hpp"
-#include "actors/scan_controller/pass.hpp"
 #include "actors/scan_controller/point.hpp"
 #include "io/fields/field_table.hpp"
 #include "messages/mapobjects_store/operator_verdict.hpp"

@@ -17,7 +17,6 @@
 #include "io/mavlink/messages/position.hpp"
 #include "messages/executor/flight.hpp"
 #include "messages/executor/known_missions.hpp"
-#include "messages/executor/way_home.hpp"
 #include "messages/health/types.hpp"
 #include "messages/mapobjects_store/status.hpp"
 #include "messages/scan_controller/point.hpp"

@@ -8,7 +8,7 @@
 #include "actors/vehicle_link/core_context.hpp"
 #include "actors/vehicle_link/relay_gate.hpp"
 #include "io/mavlink/frame_meaning.hpp"
-#include "io/mavlink/heartbeat_meaning.hpp"
+#include "io/mavlink/messages/heartbeat.hpp"
 #include "io/time_units.hpp"
 
 namespace godwit::vehicle_link {

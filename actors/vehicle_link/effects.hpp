@@ -12,7 +12,6 @@
 #include "io/mavlink/signing/channel.hpp"
 #include "messages/vehicle_link/connection.hpp"
 #include "messages/vehicle_link/evidence.hpp"
-#include "messages/vehicle_link/relay.hpp"
 #include "messages/vehicle_link/transfer.hpp"
 
 namespace godwit::vehicle_link {

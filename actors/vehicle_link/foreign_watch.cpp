@@ -4,7 +4,7 @@
 #include <array>
 
 #include "io/mavlink/enums.hpp"
-#include "io/mavlink/messages/mission_write_partial_list.hpp"
+#include "io/mavlink/messages/mission_transfer.hpp"
 
 namespace godwit::vehicle_link {
 

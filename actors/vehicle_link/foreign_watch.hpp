@@ -15,7 +15,6 @@
 #include "io/mavlink/frame.hpp"
 #include "io/mavlink/messages.hpp"
 #include "messages/vehicle_link/evidence.hpp"
-#include "messages/vehicle_link/relay.hpp"
 
 namespace godwit::vehicle_link {
 

@@ -35,7 +35,7 @@
 #include <variant>
 
 #include "io/mavlink/messages.hpp"
-#include "io/mavlink/messages/current_mode.hpp"
+#include "io/mavlink/messages/heartbeat.hpp"
 #include "io/mavlink/messages/request_data_stream.hpp"
 
 namespace godwit::vehicle_link {

@@ -15,7 +15,7 @@
 
 #include "actors/vehicle_link/message_allowlist.hpp"
 #include "io/mavlink/frame.hpp"
-#include "messages/vehicle_link/relay.hpp"
+#include "messages/vehicle_link/evidence.hpp"
 
 namespace godwit::vehicle_link {
 

@@ -1,4 +1,4 @@
-#include "invariants/rules/flight_rules.hpp"
+#include "invariants/rules/rules.hpp"
 
 #include <algorithm>
 #include <map>
@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "invariants/rules/body.hpp"
-#include "invariants/rules/message_types.hpp"
 #include "io/mavlink/enums/command.hpp"
 
 namespace godwit::invariants {

@@ -1,4 +1,4 @@
-#include "invariants/rules/journal_rules.hpp"
+#include "invariants/rules/rules.hpp"
 
 #include <algorithm>
 #include <map>
@@ -10,8 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "invariants/rules/body.hpp"
-#include "invariants/rules/message_types.hpp"
-#include "runtime/address_options.hpp"
+#include "runtime/address/address_options.hpp"
 #include "runtime/content_hash.hpp"
 
 namespace godwit::invariants {

@@ -1,10 +1,10 @@
-#include "invariants/rules/runtime_rules.hpp"
+#include "invariants/rules/rules.hpp"
 
 #include <algorithm>
 #include <string_view>
 #include <utility>
 
-#include "invariants/rules/message_types.hpp"
+#include "invariants/rules/body.hpp"
 
 namespace godwit::invariants {
 

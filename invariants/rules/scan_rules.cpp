@@ -1,4 +1,4 @@
-#include "invariants/rules/scan_rules.hpp"
+#include "invariants/rules/rules.hpp"
 
 #include <cstdint>
 #include <deque>
@@ -6,7 +6,6 @@
 #include <string>
 
 #include "invariants/rules/body.hpp"
-#include "invariants/rules/message_types.hpp"
 
 namespace godwit::invariants {
 

@@ -5,12 +5,12 @@
 #include <boost/asio/error.hpp>
 #include <boost/asio/ssl/error.hpp>
 
-#include "io/http/redaction.hpp"
 #include "io/http/request_head.hpp"
 #include "io/http/secret_file.hpp"
 #include "io/http/tls.hpp"
 
 namespace godwit::io::http {
+
 namespace {
 
 namespace asio = boost::asio;
@@ -252,6 +252,47 @@ void exchange::finish(result<response> end) {
   const auto self = shared_from_this();
   std::exchange(ended_, nullptr)();
   std::exchange(then_, nullptr)(std::move(end));
+}
+
+namespace {
+
+void replace_all(std::string& text, std::string_view what) {
+  for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + redacted.size()))
+    text.replace(at, what.size(), redacted);
+}
+
+} // namespace
+
+void redact(std::string& text, std::string_view token) {
+  if (token.size() < min_redacted_bytes)
+    return;
+  replace_all(text, token);
+  if (token.find('/') == std::string_view::npos)
+    return;
+  std::string escaped;
+  for (const char each : token)
+    escaped += each == '/' ? "\\/" : std::string(1, each);
+  replace_all(text, escaped);
+}
+
+std::unique_ptr<connection> connection_pool::take(std::chrono::steady_clock::time_point now) {
+  std::unique_ptr<connection> found;
+  while (!idle_.empty() && !found) {
+    auto newest = std::move(idle_.back());
+    idle_.pop_back();
+    if (now - newest->idle_since < keep_for_ && newest->is_quiet())
+      found = std::move(newest);
+  }
+  gauge_ = idle_.size();
+  return found;
+}
+
+void connection_pool::put(std::unique_ptr<connection> unused, std::chrono::steady_clock::time_point now) {
+  unused->idle_since = now;
+  idle_.push_back(std::move(unused));
+  while (idle_.size() > max_kept_)
+    idle_.pop_front();
+  gauge_ = idle_.size();
 }
 
 } // namespace godwit::io::http

@@ -11,23 +11,57 @@
 // Thread: the client's.
 #pragma once
 
+#include <atomic>
 #include <chrono>
+#include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <boost/asio/steady_timer.hpp>
 
-#include "io/http/connection_pool.hpp"
+#include "io/http/connection.hpp"
 #include "io/http/connector.hpp"
 #include "io/http/counters.hpp"
 #include "io/http/message.hpp"
 #include "io/http/response_reader.hpp"
-#include "io/http/secret_text.hpp"
+#include "io/http/secret_file.hpp"
 #include "io/http/settings.hpp"
 
 namespace godwit::io::http {
+
+// Takes a token out of what a service sent: one that echoes the request must not bring it into a log or onto a disk.
+//
+// Also in the form in which JSON may write it, with a slash escaped. Thread: pure.
+
+// A shorter one would be found in any text.
+inline constexpr std::size_t min_redacted_bytes = 6;
+inline constexpr std::string_view redacted = "(token)";
+
+void redact(std::string& text, std::string_view token);
+
+// Connections to the service that wait for their next request. The one used last comes first: the others may age out.
+//
+// Thread: the client's.
+class connection_pool {
+public:
+  connection_pool(std::size_t max_kept, std::chrono::milliseconds keep_for, std::atomic<std::uint64_t>& gauge)
+      : max_kept_(max_kept), keep_for_(keep_for), gauge_(gauge) {}
+
+  // Null: none that is young enough and quiet. That it looks alive does not say that it is.
+  [[nodiscard]] std::unique_ptr<connection> take(std::chrono::steady_clock::time_point now);
+  void put(std::unique_ptr<connection> unused, std::chrono::steady_clock::time_point now);
+
+private:
+  std::size_t max_kept_;
+  std::chrono::milliseconds keep_for_;
+  std::atomic<std::uint64_t>& gauge_;
+  std::deque<std::unique_ptr<connection>> idle_; // the oldest in front
+};
 
 // What all exchanges of a client share. Outlives them.
 struct shared_parts {

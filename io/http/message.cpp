@@ -3,6 +3,7 @@
 #include <algorithm>
 
 namespace godwit::io::http {
+
 namespace {
 
 // Of ASCII only: the locale of the process must not change what a header is.
@@ -32,6 +33,58 @@ std::string_view method_text(method value) {
   default:
     return "GET";
   }
+}
+
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos)
+    return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+std::string_view unquoted(std::string_view text) {
+  return text.size() >= 2 && text.front() == '"' && text.back() == '"' ? text.substr(1, text.size() - 2) : text;
+}
+
+bool is_utf8(std::string_view charset) {
+  return equals_ignoring_case(charset, "utf-8") || equals_ignoring_case(charset, "utf8") ||
+         equals_ignoring_case(charset, "us-ascii");
+}
+
+// A semicolon in a quoted value ends the parameter too early; what is left of it is then no character set.
+bool charset_is_read(std::string_view content_type) {
+  for (auto at = content_type.find(';'); at != std::string_view::npos;) {
+    const auto end = content_type.find(';', at + 1);
+    const auto parameter = trimmed(content_type.substr(at + 1, end == std::string_view::npos ? end : end - at - 1));
+    const auto equals = parameter.find('=');
+    if (equals != std::string_view::npos && equals_ignoring_case(parameter.substr(0, equals), "charset") &&
+        !is_utf8(unquoted(parameter.substr(equals + 1))))
+      return false;
+    at = end;
+  }
+  return true;
+}
+
+} // namespace
+
+std::string_view media_type(std::string_view content_type) {
+  const auto type = trimmed(content_type.substr(0, content_type.find(';')));
+  return std::ranges::count(type, '/') == 1 ? type : std::string_view{};
+}
+
+bool has_content_type(std::string_view content_type, std::string_view expected) {
+  const auto type = media_type(content_type);
+  return !type.empty() && equals_ignoring_case(type, media_type(expected)) && charset_is_read(content_type);
+}
+
+bool is_json(std::string_view content_type) {
+  constexpr std::string_view suffix = "+json";
+  const auto type = media_type(content_type);
+  const bool is_kind =
+      type.size() > suffix.size() && equals_ignoring_case(type.substr(type.size() - suffix.size()), suffix);
+  return (is_kind && charset_is_read(content_type)) || has_content_type(content_type, "application/json");
 }
 
 } // namespace godwit::io::http

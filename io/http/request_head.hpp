@@ -11,7 +11,7 @@
 
 #include "io/http/error.hpp"
 #include "io/http/message.hpp"
-#include "io/http/secret_text.hpp"
+#include "io/http/secret_file.hpp"
 #include "io/http/settings.hpp"
 
 namespace godwit::io::http {

@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 namespace godwit::io::http {
+
 namespace {
 
 constexpr mode_t permission_bits = 07777;

@@ -11,11 +11,50 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
+
+#include <openssl/crypto.h>
 
 #include "io/http/error.hpp"
-#include "io/http/secret_text.hpp"
 
 namespace godwit::io::http {
+
+// A token or a key in memory: wiped when it is no longer needed, never copied, and without a way into a log.
+//
+// Thread: as any value.
+class secret_text {
+public:
+  secret_text() = default;
+  explicit secret_text(std::size_t size) : text_(size, '\0') {}
+  ~secret_text() { wipe(); }
+  secret_text(const secret_text&) = delete;
+  secret_text& operator=(const secret_text&) = delete;
+  secret_text(secret_text&& other) noexcept : text_(std::move(other.text_)) { other.wipe(); }
+  secret_text& operator=(secret_text&& other) noexcept {
+    if (this != &other) {
+      wipe();
+      text_ = std::move(other.text_);
+      other.wipe();
+    }
+    return *this;
+  }
+
+  [[nodiscard]] std::string_view revealed() const { return text_; }
+  [[nodiscard]] bool empty() const { return text_.empty(); }
+  [[nodiscard]] char* data() { return text_.data(); }
+  // Only shorter: growing would leave a copy behind.
+  void cut_to(std::size_t size) { text_.erase(size); }
+
+private:
+  // A short text lies within the object, and moving leaves it behind: so the whole room is wiped.
+  void wipe() {
+    text_.resize(text_.capacity());
+    OPENSSL_cleanse(text_.data(), text_.size());
+    text_.clear();
+  }
+
+  std::string text_;
+};
 
 inline constexpr std::size_t max_token_bytes = 8 * 1024; // what servers take as one header
 inline constexpr std::size_t max_key_bytes = 64 * 1024;  // a key of RSA 16384 in PEM has 13 kB

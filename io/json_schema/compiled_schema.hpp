@@ -10,7 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/json_schema/problem.hpp"
+#include "io/json_schema/explain.hpp"
 
 namespace godwit::io::schemas {
 

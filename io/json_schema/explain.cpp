@@ -8,9 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "io/json_schema/nearest_word.hpp"
-#include "io/json_schema/quoted.hpp"
-#include "io/json_schema/utf8_length.hpp"
+#include "io/json_schema/sentence_parts.hpp"
 
 namespace godwit::io::schemas {
 

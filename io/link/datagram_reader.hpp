@@ -3,12 +3,14 @@
 // Errors: the owner is asked about each and says whether to read on. Thread: the link's own.
 #pragma once
 
+#include <cerrno>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
 
 #include <boost/asio/ip/udp.hpp>
+#include <sys/socket.h>
 
 #include "io/link/liveness.hpp"
 
@@ -44,5 +46,21 @@ private:
   std::uint64_t generation_ = 0; // of the socket: a wait that was over just before it was closed must not count
   liveness alive_;
 };
+
+// One datagram to the system, from any thread, without blocking.
+//
+// Asio's own sockets must not be shared between threads, so senders use the descriptor, under the lock of their link.
+// Source: send(2).
+
+// The error number, 0 for none. TO is null on a connected socket.
+[[nodiscard]] inline int send_datagram(int descriptor, std::span<const std::byte> bytes, const sockaddr* to,
+                                       socklen_t to_size) {
+  for (;;) {
+    if (::sendto(descriptor, bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL, to, to_size) >= 0)
+      return 0;
+    if (errno != EINTR)
+      return errno;
+  }
+}
 
 } // namespace godwit::io::link

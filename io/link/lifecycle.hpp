@@ -9,6 +9,7 @@
 // second. Thread: the link's own.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <string>
@@ -16,12 +17,31 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/steady_timer.hpp>
 
-#include "io/link/back_off.hpp"
 #include "io/link/counter_set.hpp"
 #include "io/link/link.hpp"
 #include "io/link/liveness.hpp"
 
 namespace godwit::io::link {
+
+// How long to wait before the next try: twice as long each time, up to a cap.
+//
+// Thread: one. Pure: the clock is the caller's.
+class back_off {
+public:
+  back_off(std::chrono::milliseconds first, std::chrono::milliseconds cap) : first_(first), cap_(cap), next_(first) {}
+
+  [[nodiscard]] std::chrono::milliseconds next() {
+    const auto now = next_;
+    next_ = std::min(cap_, 2 * next_);
+    return now;
+  }
+  void reset() { next_ = first_; }
+
+private:
+  std::chrono::milliseconds first_;
+  std::chrono::milliseconds cap_;
+  std::chrono::milliseconds next_;
+};
 
 class lifecycle {
 public:

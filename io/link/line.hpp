@@ -13,7 +13,6 @@
 
 #include <tl/expected.hpp>
 
-#include "io/link/tap.hpp"
 #include "io/link/wire.hpp"
 
 namespace godwit::io::link {

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "io/link/io_thread.hpp"
-#include "io/link/serial_opener.hpp"
+#include "io/link/serial_port.hpp"
 #include "io/link/stream_link.hpp"
 #include "io/link/tcp_in_link.hpp"
 #include "io/link/tcp_opener.hpp"

@@ -13,6 +13,7 @@
 #include "io/link/reasons.hpp"
 
 namespace godwit::io::link {
+
 namespace {
 
 // The kernel's numbers for the ends of pseudo-terminals that programs open (UNIX98_PTY_SLAVE_MAJOR, 8 of them).
@@ -86,5 +87,18 @@ tl::expected<descriptor, std::string> open_serial_port(const std::string& device
 }
 
 void discard_serial_output(int port) { static_cast<void>(::ioctl(port, TCFLSH, TCOFLUSH)); }
+
+void serial_opener::open(std::function<void(result)> done) { done(open_serial_port(device_, baud_)); }
+
+ssize_t serial_opener::write(int stream, std::span<const std::byte> bytes) const {
+  return ::write(stream, bytes.data(), bytes.size());
+}
+
+void serial_opener::discard_output(int stream) const { discard_serial_output(stream); }
+
+std::string serial_opener::where() const { return device_ + " at " + std::to_string(baud_) + " baud"; }
+
+// A line that is hung up reads as ended.
+std::string serial_opener::why_it_ended(int error) const { return device_reason(device_, error == 0 ? EIO : error); }
 
 } // namespace godwit::io::link

@@ -16,6 +16,8 @@
 #include <tl/expected.hpp>
 
 #include "io/link/descriptor.hpp"
+#include "io/link/stream_link.hpp"
+#include "io/link/uri.hpp"
 
 namespace godwit::io::link {
 
@@ -23,5 +25,21 @@ namespace godwit::io::link {
 
 // Throws away what the device has not put on the line yet: closing would wait for it, for up to half a minute.
 void discard_serial_output(int port);
+
+// serial:///dev/NAME:BAUD for stream_link. Opening takes no time to speak of and is done at once.
+class serial_opener final : public stream_opener {
+public:
+  explicit serial_opener(const uri& where) : device_(where.device), baud_(where.baud) {}
+
+  void open(std::function<void(result)> done) override;
+  [[nodiscard]] ssize_t write(int stream, std::span<const std::byte> bytes) const override;
+  void discard_output(int stream) const override;
+  [[nodiscard]] std::string where() const override;
+  [[nodiscard]] std::string why_it_ended(int error) const override;
+
+private:
+  std::string device_;
+  std::uint32_t baud_;
+};
 
 } // namespace godwit::io::link

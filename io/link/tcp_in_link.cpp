@@ -7,7 +7,7 @@
 #include <boost/asio/post.hpp>
 
 #include "io/link/reasons.hpp"
-#include "io/link/tcp_settings.hpp"
+#include "io/link/tcp_opener.hpp"
 
 namespace godwit::io::link {
 

@@ -13,9 +13,9 @@
 #include <boost/asio/ip/tcp.hpp>
 
 #include "io/link/counter_set.hpp"
+#include "io/link/io_thread.hpp"
 #include "io/link/lifecycle.hpp"
 #include "io/link/link.hpp"
-#include "io/link/link_thread.hpp"
 #include "io/link/liveness.hpp"
 #include "io/link/name_lookup.hpp"
 #include "io/link/open_stream.hpp"

@@ -2,10 +2,11 @@
 
 #include <boost/asio/post.hpp>
 
+#include "io/link/datagram_reader.hpp"
 #include "io/link/reasons.hpp"
-#include "io/link/udp_send.hpp"
 
 namespace godwit::io::link {
+
 namespace {
 
 // The datagram is lost and the socket is as good as before: no room at the moment, too long, or a firewall's word.

@@ -4,21 +4,47 @@
 // the socket: the other side is often only not started yet, and what we send is what lets it find us.
 #pragma once
 
+#include <chrono>
 #include <mutex>
+#include <optional>
 
 #include <boost/asio/ip/udp.hpp>
 #include <boost/asio/steady_timer.hpp>
 
 #include "io/link/counter_set.hpp"
 #include "io/link/datagram_reader.hpp"
+#include "io/link/io_thread.hpp"
 #include "io/link/lifecycle.hpp"
 #include "io/link/link.hpp"
-#include "io/link/link_thread.hpp"
 #include "io/link/liveness.hpp"
 #include "io/link/name_lookup.hpp"
-#include "io/link/refusal_watch.hpp"
 
 namespace godwit::io::link {
+
+// Tells when a UDP peer that has refused may be taken to listen again, although it says nothing.
+//
+// A refusal (ICMP, port unreachable) answers something that was sent. So the peer is back when something was sent after
+// the last refusal, and `answer_time` has gone by without a new one. Systems send such news once a second at most, so
+// a shorter time would see gaps between them as the peer's return; the rest is for a slow line. With a heartbeat each
+// second a peer that came back is believed within 4 s. Thread: one at a time. Pure: the clock is the caller's.
+// Source: udp(7), icmp(7).
+class refusal_watch {
+public:
+  using time_point = std::chrono::steady_clock::time_point;
+  static constexpr std::chrono::milliseconds answer_time{2'500};
+
+  void refused() { sent_since_refusal_.reset(); }
+  void sent(time_point now) {
+    if (!sent_since_refusal_)
+      sent_since_refusal_ = now;
+  }
+  [[nodiscard]] bool is_over(time_point now) const {
+    return sent_since_refusal_ && now - *sent_since_refusal_ >= answer_time;
+  }
+
+private:
+  std::optional<time_point> sent_since_refusal_;
+};
 
 class udp_out_link final : public link {
 public:

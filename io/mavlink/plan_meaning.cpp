@@ -1,13 +1,17 @@
 #include "io/mavlink/plan_meaning.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <utility>
 
+#include <zlib.h>
+
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/frame_meaning.hpp"
+#include "io/mavlink/layout.hpp"
 
 namespace godwit::io::mavlink {
 
@@ -89,6 +93,22 @@ std::optional<std::size_t> first_difference(std::span<const mission_item_int> ou
   if (ours.size() != theirs.size())
     return shorter;
   return std::nullopt;
+}
+
+std::uint32_t checksum_of(const std::vector<mission_item_int>& items) {
+  auto crc = crc32(0, nullptr, 0);
+  for (auto each : items) {
+    each.target_system = 0;
+    each.target_component = 0;
+    each.mission_type = 0;
+    each.current = 0;
+    std::array<std::byte, layout<mission_item_int>::full_length> bytes;
+    write_fields(each, bytes.data());
+    crc = crc32(crc, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size()));
+  }
+  if (items.empty())
+    return 0;
+  return crc == 0 ? 1 : static_cast<std::uint32_t>(crc);
 }
 
 } // namespace godwit::io::mavlink

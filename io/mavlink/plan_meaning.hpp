@@ -8,8 +8,10 @@
 // PX4 1.17. Thread: pure.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "io/mavlink/messages/mission_transfer.hpp"
 
@@ -27,5 +29,13 @@ inline constexpr float time_tolerance_s = 1;
 // they mean the same. FIRST_IS_HOME: item 0 is not compared.
 [[nodiscard]] std::optional<std::size_t> first_difference(std::span<const mission_item_int> ours,
                                                           std::span<const mission_item_int> theirs, bool first_is_home);
+
+// The id of a plan: a checksum of what it says, so that the same plan has the same id wherever it comes from. Pure.
+//
+// Source: MISSION_CURRENT.mission_id, which has to change with the plan and is else the vehicle's own choice.
+
+// CRC-32 of the items, without what is no part of a plan: address, type, and the mark of the current item. 0 without
+// items, and never 0 with some.
+[[nodiscard]] std::uint32_t checksum_of(const std::vector<mission_item_int>& items);
 
 } // namespace godwit::io::mavlink

@@ -1,22 +1,17 @@
 // Compiles only when the table of each message gives the published CRC_EXTRA and lengths (message definitions
 // common.xml, ardupilotmega.xml). It stands here once, and not in the headers, because every source file would compute
 // it again.
-#include "io/mavlink/messages/battery.hpp"
 #include "io/mavlink/messages/clock.hpp"
 #include "io/mavlink/messages/command.hpp"
-#include "io/mavlink/messages/current_mode.hpp"
-#include "io/mavlink/messages/estimator.hpp"
-#include "io/mavlink/messages/fence.hpp"
 #include "io/mavlink/messages/gimbal.hpp"
 #include "io/mavlink/messages/heartbeat.hpp"
 #include "io/mavlink/messages/mission.hpp"
 #include "io/mavlink/messages/mission_transfer.hpp"
-#include "io/mavlink/messages/mission_write_partial_list.hpp"
 #include "io/mavlink/messages/param.hpp"
 #include "io/mavlink/messages/position.hpp"
-#include "io/mavlink/messages/radio.hpp"
 #include "io/mavlink/messages/request_data_stream.hpp"
 #include "io/mavlink/messages/setup_signing.hpp"
+#include "io/mavlink/messages/vehicle_status.hpp"
 #include "io/mavlink/messages/version.hpp"
 
 namespace godwit::io::mavlink {

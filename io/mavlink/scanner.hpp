@@ -30,13 +30,88 @@
 #include <cstdint>
 #include <cstring>
 #include <optional>
+#include <span>
 
 #include "io/mavlink/frame.hpp"
-#include "io/mavlink/scan_counters.hpp"
-#include "io/mavlink/sender_table.hpp"
+#include "io/mavlink/ids.hpp"
 #include "io/mavlink/wire_format.hpp"
 
 namespace godwit::io::mavlink {
+
+// What a scanner has seen, by cause and by kind of message. Counters only grow. Thread: a value.
+struct kind_counters {
+  std::uint64_t received = 0;
+  std::uint64_t bad_crc = 0; // what claimed to be of this kind; false starts count here too
+};
+
+struct scan_counters {
+  std::uint64_t bytes = 0;
+  std::uint64_t frames = 0;        // good ones, handed on
+  std::uint64_t bad_crc = 0;       // one damaged frame may count several times, when its payload contains FD
+  std::uint64_t unknown_id = 0;    // passed over by their length, their checksum unchecked
+  std::uint64_t unknown_flag = 0;  // whole and right, but with an incompatibility flag that we do not know
+  std::uint64_t v1_frames = 0;     // MAVLink 1, passed over
+  std::uint64_t cut_off = 0;       // a frame began and the datagram ended
+  std::uint64_t garbage_bytes = 0; // not part of a frame, good or passed over
+  std::array<kind_counters, known_id_count> kinds{}; // by slot, see io/mavlink/ids.hpp
+
+  [[nodiscard]] kind_counters of(std::uint32_t id) const {
+    const auto* const info = find_message(id);
+    return info != nullptr ? kinds[slot_of(*info)] : kind_counters{};
+  }
+};
+
+// Which components speak on a link, and how many of their frames did not arrive.
+//
+// Each component numbers its frames on a link from 0 to 255 and around. A gap is the number of frames that are missing
+// in between. A step of more than half the circle is taken as a frame that comes late or twice; two in a row, as a peer
+// that began to count anew. A frame that is not believed is taken back. Source: the MAVLink guide, "Packet loss".
+// Thread: a value.
+struct sender_counters {
+  sender who;
+  std::uint8_t last_sequence = 0;
+  std::uint8_t behind_in_a_row = 0;
+  std::uint64_t received = 0;
+  std::uint64_t lost = 0;
+  std::uint64_t out_of_order = 0; // late or twice
+};
+
+class sender_table {
+public:
+  // A link has a handful of components. Who comes when the table is full is heard all the same, but not followed.
+  static constexpr std::size_t max_senders = 32;
+
+  void note(sender who, std::uint8_t sequence) {
+    if (last_ < used_ && senders_[last_].who == who) {
+      before_ = senders_[last_];
+      count(senders_[last_], sequence);
+    } else {
+      note_other(who, sequence);
+    }
+  }
+  // The frame that was noted last is not believed: nothing of it counts.
+  void take_back();
+
+  // The same for a frame that could not be verified: it does not make a sender known.
+  void note_unverified(sender who, std::uint8_t sequence);
+
+  [[nodiscard]] bool knows(sender who) const {
+    return std::ranges::any_of(all(), [&](const sender_counters& each) { return each.who == who; });
+  }
+  [[nodiscard]] std::span<const sender_counters> all() const { return std::span(senders_).first(used_); }
+  [[nodiscard]] std::uint64_t not_followed() const { return not_followed_; } // frames
+
+private:
+  static void count(sender_counters& each, std::uint8_t sequence);
+  void note_other(sender who, std::uint8_t sequence);
+  [[nodiscard]] sender_counters* find(sender who);
+
+  std::array<sender_counters, max_senders> senders_{};
+  std::size_t used_ = 0;
+  std::size_t last_ = 0;                  // who spoke last probably speaks again
+  std::optional<sender_counters> before_; // that one, before its last frame; none: it was not known
+  std::uint64_t not_followed_ = 0;
+};
 
 // In front of BYTES stands a frame of a known id, whole and with the right checksum.
 [[nodiscard]] bool begins_with_whole_frame(byte_view bytes);

@@ -15,6 +15,8 @@
 #include <string_view>
 #include <vector>
 
+#include <zlib.h>
+
 namespace godwit::io::mcap {
 
 using byte_view = std::span<const std::byte>;
@@ -104,6 +106,16 @@ inline void append_string(byte_buffer& out, std::string_view text) {
 
 inline void end_record(byte_buffer& out, std::size_t start) {
   store(out.data() + start + 1, static_cast<std::uint64_t>(out.size() - start - record_prefix_bytes));
+}
+
+// CRC-32 as MCAP uses it (IEEE 802.3, zlib's crc32). Thread: pure function.
+
+// Continues `crc` (0 to start) over `bytes`.
+[[nodiscard]] inline std::uint32_t crc_of(byte_view bytes, std::uint32_t crc = 0) {
+  if (bytes.empty()) {
+    return crc; // zlib takes a null pointer as the wish to start anew, and an empty view may have one
+  }
+  return static_cast<std::uint32_t>(crc32_z(crc, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
 } // namespace godwit::io::mcap

@@ -5,7 +5,7 @@
 #include <cstring>
 #include <utility>
 
-#include "io/mcap/crc.hpp"
+#include "io/mcap/format.hpp"
 
 namespace godwit::io::mcap {
 

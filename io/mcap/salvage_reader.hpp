@@ -5,8 +5,8 @@
 //                                                                 └──> on after it: at the next record if one stands
 //                                                                      there, else at the next chunk whose CRC holds
 //
-// Unlike stream_reader it gives nothing up for one wrong byte, and asks for no order of the records: whoever reads
-// resolves channels by itself, and a message may come whose channel stood in the damage. A chunk is taken whole or not
+// It gives nothing up for one wrong byte, and asks for no order of the records: whoever reads resolves channels by
+// itself, and a message may come whose channel stood in the damage. A chunk is taken whole or not
 // at all, since its CRC covers all of it. Searching costs at most search_factor times the file.
 // Errors: io alone. Memory: one record, read_limits. Thread: one at a time. Source: MCAP specification, "Records".
 #pragma once
@@ -16,10 +16,9 @@
 #include <string>
 #include <variant>
 
-#include "io/mcap/compression.hpp"
+#include "io/mcap/chunks.hpp"
 #include "io/mcap/record_reader.hpp"
 #include "io/mcap/records.hpp"
-#include "io/mcap/stream_reader.hpp"
 
 namespace godwit::io::mcap {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "io/mcap/crc.hpp"
+#include "io/mcap/format.hpp"
 
 namespace godwit::io::mcap {
 

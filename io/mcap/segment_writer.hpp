@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "io/mcap/channel_registry.hpp"
-#include "io/mcap/chunk_builder.hpp"
+#include "io/mcap/chunks.hpp"
 #include "io/mcap/error.hpp"
 #include "io/mcap/output_file.hpp"
 #include "io/mcap/summary.hpp"

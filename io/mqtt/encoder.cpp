@@ -2,7 +2,7 @@
 
 #include <cassert>
 
-#include "io/mqtt/utf8.hpp"
+#include "io/mqtt/cursor.hpp"
 
 namespace godwit::io::mqtt {
 namespace {

@@ -1,6 +1,7 @@
 #include "io/sqlite/database.hpp"
 
 #include <string_view>
+#include <utility>
 
 #include <sqlite3.h>
 
@@ -113,6 +114,47 @@ std::string quoted(const std::string& text) {
   for (const char each : text)
     result.append(each == '\'' ? 2 : 1, each);
   return result + "'";
+}
+
+result<transaction> transaction::begin(database& db) {
+  auto begun = db.exec("BEGIN IMMEDIATE");
+  if (!begun)
+    return tl::unexpected(std::move(begun.error()));
+  return transaction(db);
+}
+
+transaction::transaction(transaction&& other) noexcept : db_(std::exchange(other.db_, nullptr)) {}
+
+transaction::~transaction() { rollback(); }
+
+result<void> transaction::commit() {
+  auto committed = db_->exec("COMMIT");
+  if (!committed)
+    rollback();
+  db_ = nullptr;
+  return committed;
+}
+
+void transaction::rollback() {
+  // SQLite ends a transaction by itself on some errors; a second ROLLBACK would only be an error of its own.
+  if (db_ != nullptr && db_->in_transaction())
+    static_cast<void>(db_->exec("ROLLBACK"));
+  db_ = nullptr;
+}
+
+result<void> back_up(database& from, const std::string& to) {
+  auto copy = database::open(to, {.mode = open_mode::create});
+  if (!copy)
+    return tl::unexpected(copy.error());
+  auto* const backup = sqlite3_backup_init(copy->handle(), "main", from.handle(), "main");
+  if (backup == nullptr)
+    return tl::unexpected(last_error(copy->handle(), sqlite3_errcode(copy->handle())));
+  constexpr int all_pages = -1;
+  const int code = sqlite3_backup_step(backup, all_pages);
+  sqlite3_backup_finish(backup);
+  if (code != SQLITE_DONE)
+    return tl::unexpected(last_error(copy->handle(), code));
+  return copy->exec("PRAGMA journal_mode = DELETE"); // what it brings along of the original asks for a -wal
 }
 
 } // namespace godwit::io::sqlite

@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
-#include "io/sqlite/error.hpp"
 #include "io/sqlite/statement.hpp"
+#include "io/sqlite/store_error.hpp"
 
 struct sqlite3;
 
@@ -64,5 +64,36 @@ private:
 
 // TEXT as a literal, for a statement that can not have parameters.
 [[nodiscard]] std::string quoted(const std::string& text);
+
+// A write transaction that rolls back unless it was committed.
+//
+// Thread: the one of its database.
+class transaction {
+public:
+  // IMMEDIATE takes the write lock at once: a transaction that began can not meet SQLITE_BUSY half way.
+  [[nodiscard]] static result<transaction> begin(database& db);
+
+  transaction(transaction&& other) noexcept;
+  transaction& operator=(transaction&&) = delete;
+  ~transaction();
+
+  // After an error nothing of the transaction is visible.
+  [[nodiscard]] result<void> commit();
+  void rollback();
+
+private:
+  explicit transaction(database& db) : db_(&db) {}
+
+  database* db_; // null when it has ended
+};
+
+// A consistent copy of a database, also while another process writes it.
+//
+// The copy is one moment of the original, and is whole in one file: nothing of it lies in a -wal. Writers of the
+// original are not held up. Errors: those of SQLite; the copy is then not to be used. Blocks on the disk. Thread: one
+// at a time. Source: https://www.sqlite.org/backup.html
+
+// The file TO becomes the copy, whatever was in it.
+[[nodiscard]] result<void> back_up(database& from, const std::string& to);
 
 } // namespace godwit::io::sqlite

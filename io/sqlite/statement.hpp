@@ -11,7 +11,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include "io/sqlite/error.hpp"
+#include "io/sqlite/store_error.hpp"
 
 struct sqlite3_stmt;
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <ctime>
 #include <memory>
 
 namespace godwit::io::video {
@@ -24,5 +25,12 @@ struct frame {
   std::array<plane, 3> planes; // brightness, blue difference, red difference
   std::shared_ptr<const void> owner;
 };
+
+// The clock by which pictures are stamped: CLOCK_MONOTONIC, which every process of this computer shares. Thread: any.
+[[nodiscard]] inline std::int64_t monotonic_ns() {
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
+}
 
 } // namespace godwit::io::video

@@ -6,13 +6,15 @@
 #include <ctime>
 #include <deque>
 #include <mutex>
+#include <numeric>
 #include <thread>
 #include <utility>
 
-#include "io/video/monotonic.hpp"
+#include "io/video/frame.hpp"
 #include "io/video/pipeline.hpp"
 
 namespace godwit::io::video {
+
 namespace {
 
 using std::chrono::milliseconds;
@@ -216,6 +218,27 @@ source_report source::report() const {
 std::int64_t source::stuck_ns() const {
   const auto since = parts_->calling_since_ns.load();
   return since == 0 ? 0 : monotonic_ns() - since;
+}
+
+picture_fault picture_watch::look(const frame& picture) {
+  sample now{};
+  for (std::size_t row = 0; row < rows; ++row)
+    for (std::size_t column = 0; column < columns; ++column) {
+      const auto y = row * static_cast<std::size_t>(picture.height) / rows;
+      const auto x = column * static_cast<std::size_t>(picture.width) / columns;
+      now.at(row * columns + column) = picture.planes[0].pixels[y * picture.planes[0].stride + x];
+    }
+  const auto mean = std::accumulate(now.begin(), now.end(), std::uint32_t{0}) / static_cast<std::uint32_t>(now.size());
+  const auto at = picture.captured_ns;
+  if (!has_last_ || mean >= black_below || std::ranges::max(now) >= light_from)
+    sound_ns_ = at;
+  if (!has_last_ || now != last_)
+    changed_ns_ = at;
+  has_last_ = true;
+  last_ = now;
+  if (at - sound_ns_ >= patience_ns)
+    return picture_fault::black;
+  return at - changed_ns_ >= patience_ns ? picture_fault::repeated : picture_fault::none;
 }
 
 } // namespace godwit::io::video

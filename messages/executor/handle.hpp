@@ -5,17 +5,15 @@
 // start_answer_handle.
 #pragma once
 
-#include "io/mavlink/messages/current_mode.hpp"
-#include "io/mavlink/messages/estimator.hpp"
 #include "io/mavlink/messages/heartbeat.hpp"
 #include "io/mavlink/messages/mission.hpp"
 #include "io/mavlink/messages/position.hpp"
+#include "io/mavlink/messages/vehicle_status.hpp"
 #include "messages/executor/flight.hpp"
 #include "messages/executor/known_missions.hpp"
 #include "messages/executor/plan_view.hpp"
 #include "messages/executor/station_act.hpp"
 #include "messages/executor/types.hpp"
-#include "messages/executor/way_home.hpp"
 #include "messages/failsafe/types.hpp"
 #include "messages/mission_client/handle.hpp"
 #include "messages/operator/types.hpp"

@@ -4,7 +4,6 @@
 #include "messages/executor/known_missions.hpp"
 #include "messages/executor/plan_view.hpp"
 #include "messages/executor/station_act.hpp"
-#include "messages/executor/way_home.hpp"
 #include "runtime/define_message.hpp"
 
 GODWIT_DEFINE_MESSAGE(godwit::executor::act_acknowledged);

@@ -1,13 +1,12 @@
 // Who may say what to the failsafe, and what it needs others to accept.
 #pragma once
 
-#include "io/mavlink/messages/current_mode.hpp"
 #include "io/mavlink/messages/heartbeat.hpp"
 #include "io/mavlink/messages/mission.hpp"
 #include "io/mavlink/messages/position.hpp"
 #include "messages/failsafe/types.hpp"
 #include "messages/ground_port/mission.hpp"
-#include "messages/ground_port/operator_link.hpp"
+#include "messages/ground_port/types.hpp"
 #include "messages/vehicle_link/types.hpp"
 #include "runtime/seam.hpp"
 

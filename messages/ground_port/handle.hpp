@@ -1,19 +1,18 @@
 // Who may say what to ground_port, and who hears what from it.
 #pragma once
 
-#include "io/mavlink/messages/battery.hpp"
 #include "io/mavlink/messages/clock.hpp"
-#include "io/mavlink/messages/fence.hpp"
 #include "io/mavlink/messages/heartbeat.hpp"
 #include "io/mavlink/messages/mission.hpp"
 #include "io/mavlink/messages/position.hpp"
+#include "io/mavlink/messages/vehicle_status.hpp"
 #include "io/mavlink/messages/version.hpp"
 #include "messages/executor/station_act.hpp"
 #include "messages/executor/types.hpp"
-#include "messages/ground_port/plan_judged.hpp"
+#include "messages/ground_port/mission.hpp"
 #include "messages/ground_port/types.hpp"
 #include "messages/operator_bridge/control.hpp"
-#include "messages/vehicle_link/relay.hpp"
+#include "messages/vehicle_link/evidence.hpp"
 #include "runtime/seam.hpp"
 
 namespace godwit::ground_port {

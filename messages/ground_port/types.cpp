@@ -1,9 +1,7 @@
 // The message types of this folder, their JSON and binary forms (runtime/define_message.hpp).
-#include "messages/ground_port/description.hpp"
+#include "messages/ground_port/types.hpp"
+
 #include "messages/ground_port/mission.hpp"
-#include "messages/ground_port/operator_link.hpp"
-#include "messages/ground_port/plan_judged.hpp"
-#include "messages/ground_port/port.hpp"
 #include "runtime/define_message.hpp"
 
 GODWIT_DEFINE_MESSAGE(godwit::ground_port::get_port);

@@ -44,4 +44,58 @@ struct load_answer {
   GODWIT_FIELDS(load_answer, "mapobjects_store.load_answer", load, failure, error);
 };
 
+// Which mission the map is for, and what becomes of it and of what is owed when a mission is gone. All may be said
+// again. Thread: plain values.
+
+// Answered with map_answer. Comes before the first pull for a mission. For the mission that is chosen already nothing
+// changes: after a crash in flight nothing can be pulled.
+struct choose_mission {
+  std::string mission_id;
+  GODWIT_FIELDS(choose_mission, "mapobjects_store.choose_mission", mission_id);
+};
+
+// Answered with map_answer. A load that was under way is given up. Refused for a mission that is not the chosen one.
+struct pull_failed {
+  std::string mission_id;
+  GODWIT_FIELDS(pull_failed, "mapobjects_store.pull_failed", mission_id);
+};
+
+// Answered with map_answer. The operator goes on with the copy from the last time. Refused for a mission that is not
+// the chosen one, or when the map is not degraded (and not acknowledged already).
+struct acknowledge_fallback {
+  std::string mission_id;
+  GODWIT_FIELDS(acknowledge_fallback, "mapobjects_store.acknowledge_fallback", mission_id);
+};
+
+// Answered with moved_rows: how many became orphans now. The service has deleted the mission: its map is gone, what
+// this vehicle saw for it leaves the map, and what is owed for it is kept aside as orphans. A batch keeps its key.
+struct delete_mission {
+  std::string mission_id;
+  std::int64_t at_ns = 0;
+  std::string reason; // for people
+  GODWIT_FIELDS(delete_mission, "mapobjects_store.delete_mission", mission_id, at_ns, reason);
+};
+
+// Answered with moved_rows. What is owed for the mission is kept aside; the map stays.
+struct orphan_mission {
+  std::string mission_id;
+  std::int64_t at_ns = 0;
+  std::string reason; // for people
+  GODWIT_FIELDS(orphan_mission, "mapobjects_store.orphan_mission", mission_id, at_ns, reason);
+};
+
+// Answered with moved_rows. By a person's will: orphans that are in no batch are pending again. Those in a batch are
+// delivered under its key (see get_batches).
+struct requeue_mission {
+  std::string mission_id; // empty = all missions
+  GODWIT_FIELDS(requeue_mission, "mapobjects_store.requeue_mission", mission_id);
+};
+
+struct moved_rows {
+  std::uint64_t rows = 0;
+  map_failure failure = map_failure::none;
+  std::string error;
+  GODWIT_FIELDS(moved_rows, "mapobjects_store.moved_rows", rows, failure, error);
+};
+
 } // namespace godwit::mapobjects_store

@@ -4,10 +4,24 @@
 #include <cstdint>
 #include <string>
 
+#include "io/fields/field_table.hpp"
 #include "messages/mapobjects_store/answer.hpp"
-#include "messages/mapobjects_store/sync_state.hpp"
 
 namespace godwit::mapobjects_store {
+
+// How far the map can be relied on. Thread: plain values.
+
+//                            pull finished
+//   [fresh_boot] ────────────────────────────────────> [synced]
+//     ^      │                                          ^     │ pull failed
+//     │      ├─ pull failed, no copy of this mission ─> [failed]   (also from synced and the others)
+//     │      └─ pull failed, a copy is there ─────────> [degraded] ── operator acknowledges ──> [cached_fallback]
+//     └── another mission is chosen, or this one is deleted: from every state
+enum class sync_state { fresh_boot, synced, cached_fallback, degraded, failed };
+
+GODWIT_ENUM_NAMES(sync_state, fresh_boot, synced, cached_fallback, degraded, failed);
+
+enum class sync_event { mission_chosen, pull_finished, pull_failed, fallback_acknowledged, mission_deleted };
 
 // Answered with map_status.
 struct get_map {

@@ -1,14 +1,13 @@
 // The message types of this folder, their JSON and binary forms (runtime/define_message.hpp).
+#include "messages/mapobjects_store/types.hpp"
+
 #include "messages/mapobjects_store/answer.hpp"
 #include "messages/mapobjects_store/delivery.hpp"
 #include "messages/mapobjects_store/load.hpp"
 #include "messages/mapobjects_store/observation.hpp"
 #include "messages/mapobjects_store/operator_verdict.hpp"
 #include "messages/mapobjects_store/pass.hpp"
-#include "messages/mapobjects_store/scope.hpp"
-#include "messages/mapobjects_store/shown.hpp"
 #include "messages/mapobjects_store/status.hpp"
-#include "messages/mapobjects_store/wake.hpp"
 #include "runtime/define_message.hpp"
 
 GODWIT_DEFINE_MESSAGE(godwit::mapobjects_store::acknowledge_fallback);

@@ -3,7 +3,6 @@
 // What mission_client tells its listener is a durable effect each time: once in effect, also over crashes of both.
 #pragma once
 
-#include "messages/mission_client/port.hpp"
 #include "messages/mission_client/types.hpp"
 #include "runtime/seam.hpp"
 

@@ -1,6 +1,6 @@
 // The message types of this folder, their JSON and binary forms (runtime/define_message.hpp).
 #include "messages/mission_client/types.hpp"
-#include "messages/mission_client/port.hpp"
+
 #include "runtime/define_message.hpp"
 
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::accept_copy);

@@ -234,4 +234,12 @@ struct mission_resolved {
   GODWIT_FIELDS(mission_resolved, "mission_client.mission_settled", mission_id, orphaned, expired);
 };
 
+// What the service's thread and the timers say to mission_client: nothing that anybody else needs. Thread: plain
+// values.
+
+// An answer of the service has come; it waits in the port, not in the mailbox.
+struct wake {
+  static constexpr auto fields = io::table("mission_client.wake");
+};
+
 } // namespace godwit::mission_client

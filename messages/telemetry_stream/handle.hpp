@@ -5,7 +5,6 @@
 #include "io/mavlink/messages/position.hpp"
 #include "messages/executor/flight.hpp"
 #include "messages/executor/known_missions.hpp"
-#include "messages/executor/way_home.hpp"
 #include "messages/health/types.hpp"
 #include "messages/scan_controller/handle.hpp"
 #include "messages/vehicle_link/connection.hpp"

@@ -1,14 +1,10 @@
 // What the vehicle says and actors tell each other: JSON and binary forms (runtime/define_message.hpp).
-#include "io/mavlink/messages/battery.hpp"
 #include "io/mavlink/messages/clock.hpp"
-#include "io/mavlink/messages/current_mode.hpp"
-#include "io/mavlink/messages/estimator.hpp"
-#include "io/mavlink/messages/fence.hpp"
 #include "io/mavlink/messages/gimbal.hpp"
 #include "io/mavlink/messages/heartbeat.hpp"
 #include "io/mavlink/messages/mission.hpp"
 #include "io/mavlink/messages/position.hpp"
-#include "io/mavlink/messages/radio.hpp"
+#include "io/mavlink/messages/vehicle_status.hpp"
 #include "io/mavlink/messages/version.hpp"
 #include "runtime/define_message.hpp"
 

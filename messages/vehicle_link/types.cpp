@@ -1,9 +1,9 @@
 // The message types of this folder, their JSON and binary forms (runtime/define_message.hpp).
+#include "messages/vehicle_link/types.hpp"
+
 #include "messages/vehicle_link/command.hpp"
 #include "messages/vehicle_link/connection.hpp"
 #include "messages/vehicle_link/evidence.hpp"
-#include "messages/vehicle_link/port.hpp"
-#include "messages/vehicle_link/relay.hpp"
 #include "messages/vehicle_link/transfer.hpp"
 #include "runtime/define_message.hpp"
 
@@ -26,9 +26,9 @@ GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::set_mode);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::set_up_signing);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::signing_answer);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::signing_alert);
-GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::transfer::outcome);
-GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::transfer::progress);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::upload_plan);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::vehicle_restarted);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::wake);
 GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::watch_closely);
+GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::transfer::outcome);
+GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::transfer::progress);

@@ -9,9 +9,9 @@
 #include <unistd.h>
 
 #include "io/link/descriptor.hpp"
-#include "programs/common/unix_address.hpp"
 
 namespace godwit::control {
+
 namespace {
 
 using std::chrono::steady_clock;

@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include <nlohmann/json.hpp>
+
 namespace godwit::programs {
 
 // Of several lines: AFTER_LINE_END stands behind each line end, so that what follows is seen to belong to it.
@@ -16,5 +18,15 @@ namespace godwit::programs {
 
 // Of one line, such as a name or a reason: line ends are escaped, too.
 [[nodiscard]] std::string one_line(std::string_view text);
+
+// A configuration or a status as somebody else may see it.
+//
+// Left out are the values of names that mean a secret (token, password, secret, key, but not the names of files), and
+// of addresses the user, the password and what stands behind a question mark. Thread: pure.
+
+[[nodiscard]] nlohmann::json without_secrets(nlohmann::json document);
+
+// "https://ann:pw@host/x?token=1" -> "https://(left out)@host/x?(left out)"
+[[nodiscard]] std::string address_without_secrets(const std::string& text);
 
 } // namespace godwit::programs

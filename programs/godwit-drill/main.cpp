@@ -9,7 +9,6 @@
 
 #include "programs/godwit-drill/command_line.hpp"
 #include "programs/godwit-drill/flights/flight_drill.hpp"
-#include "programs/godwit-drill/report.hpp"
 #include "programs/godwit-drill/runtime_drill.hpp"
 #include "programs/godwit-drill/scratch_folder.hpp"
 #include "runtime/config/config.hpp"

@@ -1,6 +1,9 @@
 // All commands of godwit-eyes, in the order of its help. Thread: one.
 #pragma once
 
+#include <string>
+#include <string_view>
+
 #include "programs/common/command.hpp"
 
 namespace godwit::eyes {
@@ -14,5 +17,7 @@ using programs::exit_code;
 [[nodiscard]] command add_session_command(CLI::App& to);
 
 inline constexpr add_command all_commands[] = {add_probe_command, add_look_command, add_session_command};
+
+inline void say(std::string_view sentence) { programs::say("godwit-eyes", sentence); }
 
 } // namespace godwit::eyes

@@ -6,7 +6,6 @@
 #include <system_error>
 
 #include "programs/godwit-eyes/commands.hpp"
-#include "programs/godwit-eyes/console.hpp"
 #include "programs/godwit-eyes/look/look.hpp"
 
 namespace godwit::eyes {

@@ -8,7 +8,6 @@
 #include "io/video/source.hpp"
 #include "programs/godwit-eyes/commands.hpp"
 #include "programs/godwit-eyes/confinement/confinement.hpp"
-#include "programs/godwit-eyes/console.hpp"
 
 namespace godwit::eyes {
 namespace {

@@ -4,7 +4,6 @@
 
 #include "programs/godwit-eyes/commands.hpp"
 #include "programs/godwit-eyes/confinement/confinement.hpp"
-#include "programs/godwit-eyes/console.hpp"
 #include "programs/godwit-eyes/detection/detector.hpp"
 #include "programs/godwit-eyes/session/session.hpp"
 

@@ -6,14 +6,13 @@
 
 #include "programs/common/line_printer.hpp"
 #include "programs/godwit-sim/commands.hpp"
-#include "programs/godwit-sim/console.hpp"
 #include "programs/godwit-sim/missions/mission_service_host.hpp"
 #include "programs/godwit-sim/missions_options.hpp"
 
 namespace godwit::sim {
 namespace {
 
-constexpr const char* examples =
+constexpr const char* missions_examples =
     R"(Examples:
   godwit-sim missions --token-file token --mission survey.plan --db missions.db
   godwit-sim missions --listen 0.0.0.0:8443 --tls cert.pem,key.pem --token-file token --mission m.json --db missions.db
@@ -89,7 +88,7 @@ command add_missions_command(CLI::App& to) {
   const auto given = std::make_shared<missions_arguments>();
   add_service_options(*app, *given);
   add_world_options(*app, *given);
-  app->footer(examples);
+  app->footer(missions_examples);
   return {app, [given] { return run(*given); }};
 }
 

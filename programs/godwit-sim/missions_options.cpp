@@ -7,11 +7,10 @@
 #include "actors/domain/mission/convert/convert.hpp"
 #include "actors/domain/mission/read.hpp"
 #include "io/http/secret_file.hpp"
+#include "programs/godwit-sim/commands.hpp"
 #include "programs/godwit-sim/host/control_port.hpp"
-#include "programs/godwit-sim/in_option.hpp"
 #include "programs/godwit-sim/missions/fault.hpp"
 #include "programs/godwit-sim/missions/synthetic_map.hpp"
-#include "programs/godwit-sim/missions/text_file.hpp"
 #include "programs/godwit-sim/text_forms.hpp"
 
 namespace godwit::sim {

@@ -3,11 +3,14 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <tl/expected.hpp>
 
 namespace godwit::sim {
 
@@ -29,3 +32,10 @@ namespace godwit::sim {
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
 } // namespace godwit::sim
+
+namespace godwit::sim::missions {
+
+// A whole file as text, within a bound. Errors: a sentence with the name of the file. Thread: any; blocks on the disk.
+[[nodiscard]] tl::expected<std::string, std::string> read_text_file(const std::string& name, std::size_t max_bytes);
+
+} // namespace godwit::sim::missions

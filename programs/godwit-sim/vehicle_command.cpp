@@ -10,8 +10,6 @@
 
 #include "programs/common/line_printer.hpp"
 #include "programs/godwit-sim/commands.hpp"
-#include "programs/godwit-sim/connection_hints.hpp"
-#include "programs/godwit-sim/console.hpp"
 #include "programs/godwit-sim/vehicle_options.hpp"
 #ifdef GODWIT_HAS_EYES
 #include "programs/godwit-sim/camera_server/vehicle_camera.hpp"
@@ -22,7 +20,7 @@ namespace {
 
 constexpr std::size_t most_listed = 5; // links; the others follow from them
 
-constexpr const char* examples =
+constexpr const char* vehicle_examples =
     R"(Examples:
   godwit-sim vehicle --personality px4
   godwit-sim vehicle --personality ardupilot --link tcpin://127.0.0.1:5760 --home -35.363262,149.165237,584
@@ -189,7 +187,7 @@ command add_vehicle_command(CLI::App& to) {
       ->type_name("FILE");
   app->add_option("--tlog", given->tlog, "Records what goes over the links into this file")->type_name("FILE");
   app->add_flag("--quiet", given->quiet, "Prints no events");
-  app->footer(examples);
+  app->footer(vehicle_examples);
   return {app, [given] { return run(*given); }};
 }
 

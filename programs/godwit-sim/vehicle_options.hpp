@@ -9,6 +9,7 @@
 
 #include <tl/expected.hpp>
 
+#include "io/link/uri.hpp"
 #include "programs/godwit-sim/host/vehicle_host.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/outlet.hpp"
 
@@ -56,5 +57,11 @@ struct vehicle_arguments {
 
 // Where the vehicle NUMBER begins.
 [[nodiscard]] position home_of(const position& first, int number);
+
+// How to reach a simulated vehicle with the ground stations that people use. Thread: pure. Source: the manuals of
+// QGroundControl, MAVProxy and MAVSDK.
+
+// A line for each, for the link WHERE of a vehicle, with its port as it is.
+[[nodiscard]] std::vector<std::string> connection_hints(const io::link::uri& where);
 
 } // namespace godwit::sim

@@ -1,9 +1,31 @@
 // All commands of godwit-trace, in the order of its help.
 #pragma once
 
-#include "programs/godwit-trace/command.hpp"
+#include <functional>
+
+#include <CLI/CLI.hpp>
+
+#include "programs/common/command.hpp"
+#include "programs/godwit-trace/output.hpp"
 
 namespace godwit::trace_tool {
+
+// A command of godwit-trace: it puts its options into the command line, and runs when these are read.
+//
+// Adding one is a file with such a function, and a line in commands.hpp.
+using programs::exit_code;
+
+struct command {
+  CLI::App* app = nullptr; // belongs to the command line
+  std::function<exit_code(console&)> run;
+  // What it prints is long, comes to an end, and is for people: on a terminal a pager shows it. Asked after the
+  // options; none: never.
+  std::function<bool()> is_paged = {};
+};
+
+inline bool always() { return true; }
+
+using add_command = command (*)(CLI::App& to);
 
 [[nodiscard]] command add_tlog_command(CLI::App& to);
 [[nodiscard]] command add_link_command(CLI::App& to);

@@ -15,7 +15,7 @@ namespace godwit::trace_tool {
 
 namespace {
 
-struct arguments {
+struct link_arguments {
   std::string where;
   print_arguments print;
   std::optional<double> seconds;
@@ -27,7 +27,7 @@ struct arguments {
   std::string identity;
 };
 
-constexpr const char* examples =
+constexpr const char* link_examples =
     R"(Links: udpin://HOST:PORT listens, udpout://HOST:PORT sends first, serial:///dev/NAME:BAUD, tcp://HOST:PORT.
 
 A heartbeat makes those speak who send only to whom they have heard. It is on for udpout, where nobody could know of
@@ -44,13 +44,13 @@ Examples:
 
 constexpr double max_seconds = 1e8; // three years
 
-bool wants_heartbeat(const arguments& given, const io::link::uri& where) {
+bool wants_heartbeat(const link_arguments& given, const io::link::uri& where) {
   const bool is_usual = where.which == io::link::uri::kind::udp_out;
   return given.heartbeat || (is_usual && !given.no_heartbeat);
 }
 
 // All but the key, which is a file and no usage.
-tl::expected<link_session_options, std::string> read(const arguments& given) {
+tl::expected<link_session_options, std::string> read(const link_arguments& given) {
   auto where = io::link::parse_uri(given.where);
   auto print = read(given.print);
   const auto identity = read_identity(given.identity.empty() ? "1/191" : given.identity);
@@ -78,7 +78,7 @@ tl::expected<std::optional<link_keys>, std::string> load_keys(const std::string&
   return link_keys{*std::move(key), std::move(to_sign)};
 }
 
-exit_code run(const arguments& given, console& to) {
+exit_code run(const link_arguments& given, console& to) {
   auto options = read(given);
   if (!options) {
     to.say(options.error());
@@ -101,7 +101,7 @@ exit_code run(const arguments& given, console& to) {
 
 command add_link_command(CLI::App& to) {
   auto* const app = to.add_subcommand("link", "Shows what arrives on a MAVLink link, live.");
-  const auto given = std::make_shared<arguments>();
+  const auto given = std::make_shared<link_arguments>();
   app->add_option("URI", given->where, "The link, such as udpin://0.0.0.0:14550")->required();
   add_print_options(*app, given->print);
   app->add_option("--seconds", given->seconds, "Ends after so many seconds; fails if nothing was heard")
@@ -117,7 +117,7 @@ command add_link_command(CLI::App& to) {
   auto* const on = app->add_flag("--heartbeat", given->heartbeat, "Sends a heartbeat each second");
   app->add_flag("--no-heartbeat", given->no_heartbeat, "Sends nothing, also on udpout")->excludes(on);
   app->add_option("--as", given->identity, "Who sends the heartbeat (1/191)")->type_name("SYSTEM/COMPONENT");
-  app->footer(examples);
+  app->footer(link_examples);
   return {app, [given](console& into) { return run(*given, into); }};
 }
 

@@ -2,19 +2,21 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <memory>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include <poll.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
 
 #include "io/mavlink/frame.hpp"
 #include "programs/common/heartbeat_sender.hpp"
+#include "programs/common/link_advice.hpp"
 #include "programs/common/peer_scanners.hpp"
-#include "programs/godwit-trace/chunk_queue.hpp"
-#include "programs/godwit-trace/link_hints.hpp"
-#include "programs/godwit-trace/signature_check.hpp"
-#include "programs/godwit-trace/tlog_recording.hpp"
+#include "programs/godwit-trace/tlog_run.hpp"
 #include "programs/godwit-trace/traffic.hpp"
 
 namespace godwit::trace_tool {
@@ -232,6 +234,58 @@ private:
 exit_code run_link(link_session_options options, console& to, int stop) {
   link_session session(std::move(options), to);
   return session.open() ? session.run(stop) : exit_code::failed;
+}
+
+std::optional<std::string> link_hints::due(std::chrono::milliseconds elapsed, const io::mavlink::scan_counters& heard) {
+  if (heard.frames != 0)
+    return std::nullopt;
+  if (!told_v1_ && elapsed >= v1_after && heard.v1_frames >= v1_frames_enough) {
+    told_v1_ = true;
+    told_silence_ = true;
+    return std::string("only MAVLink 1 is heard, which is not shown. ") + programs::advice_for_mavlink_1;
+  }
+  if (told_silence_ || elapsed < silent_after || heard.v1_frames != 0)
+    return std::nullopt;
+  told_silence_ = true;
+  return heard.bytes == 0 ? programs::advice_for_silence(where_, silent_after, has_heartbeat_)
+                          : programs::advice_for_noise(where_, heard.bytes);
+}
+
+chunk_queue::chunk_queue() : descriptor_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
+  if (descriptor_ < 0)
+    throw std::system_error(errno, std::generic_category(), "eventfd");
+}
+
+chunk_queue::~chunk_queue() { ::close(descriptor_); }
+
+void chunk_queue::push(heard_chunk chunk) {
+  {
+    const std::lock_guard guard(mutex_);
+    // A change of the status is always told: there are few, and each says what the next bytes mean.
+    const bool has_room =
+        waiting_bytes_ + chunk.bytes.size() <= max_waiting_bytes && waiting_.size() < max_waiting_chunks;
+    if (!has_room && !chunk.status) {
+      dropped_bytes_ += chunk.bytes.size();
+      return;
+    }
+    waiting_bytes_ += chunk.bytes.size();
+    waiting_.push_back(std::move(chunk));
+  }
+  const std::uint64_t one = 1;
+  static_cast<void>(!::write(descriptor_, &one, sizeof one)); // fails only when the descriptor is readable already
+}
+
+std::vector<heard_chunk> chunk_queue::take() {
+  std::uint64_t ignored = 0;
+  static_cast<void>(!::read(descriptor_, &ignored, sizeof ignored)); // fails only when nothing was pushed
+  const std::lock_guard guard(mutex_);
+  waiting_bytes_ = 0;
+  return std::exchange(waiting_, {});
+}
+
+std::uint64_t chunk_queue::dropped_bytes() const {
+  const std::lock_guard guard(mutex_);
+  return dropped_bytes_;
 }
 
 } // namespace godwit::trace_tool

@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "programs/godwit-trace/commands.hpp"
-#include "programs/godwit-trace/pager.hpp"
+#include "programs/godwit-trace/output.hpp"
 
 namespace {
 

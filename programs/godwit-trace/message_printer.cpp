@@ -1,10 +1,10 @@
 #include "programs/godwit-trace/message_printer.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "io/fields/json_text.hpp"
-#include "programs/godwit-trace/message_json.hpp"
-#include "programs/godwit-trace/message_text.hpp"
+#include "programs/godwit-trace/message_forms.hpp"
 #include "programs/godwit-trace/utc_time.hpp"
 
 namespace godwit::trace_tool {
@@ -47,6 +47,45 @@ void message_printer::append_head(std::string& out, std::uint64_t time_us, io::m
   io::append_json_number(out, from.component);
   pad_to(out, begin, sender_width);
   out += ' ';
+}
+
+namespace {
+
+std::bitset<256> only(std::span<const std::uint8_t> ids) {
+  std::bitset<256> result;
+  for (const auto each : ids)
+    result.set(each);
+  return ids.empty() ? result.set() : result;
+}
+
+} // namespace
+
+message_filter::message_filter(name_filter names, std::span<const std::uint8_t> systems,
+                               std::span<const std::uint8_t> components)
+    : names_(std::move(names)), systems_(only(systems)), components_(only(components)) {}
+
+void add_print_options(CLI::App& command, print_arguments& to) {
+  command.add_flag("--json", to.json, "One JSON object a line instead of text; with --stats one object");
+  command.add_flag("--stats", to.stats, "Tables of what was heard instead of messages: counts, rates, losses");
+  command
+      .add_option("--name", to.names,
+                  "Only messages with these names, such as HEARTBEAT,MISSION_*; may be given several times")
+      ->allow_extra_args(false)
+      ->type_name("NAME,...");
+  command.add_option("--system", to.systems, "Only from this system (0 to 255); may be given several times")
+      ->allow_extra_args(false)
+      ->type_name("N");
+  command.add_option("--component", to.components, "Only from this component (0 to 255); may be given several times")
+      ->allow_extra_args(false)
+      ->type_name("N");
+}
+
+tl::expected<print_options, std::string> read(const print_arguments& given) {
+  auto names = name_filter::parse(given.names);
+  if (!names)
+    return tl::make_unexpected("--name: " + names.error());
+  return print_options{message_filter(*std::move(names), given.systems, given.components),
+                       given.json ? print_form::json : print_form::text, given.stats};
 }
 
 } // namespace godwit::trace_tool

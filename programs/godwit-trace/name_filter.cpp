@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "programs/godwit-trace/message_name.hpp"
+#include "programs/godwit-trace/message_forms.hpp"
 
 namespace godwit::trace_tool {
 

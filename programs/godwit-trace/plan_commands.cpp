@@ -16,7 +16,7 @@ namespace {
 
 using io::mavlink::mav_mission_type;
 
-struct arguments {
+struct plan_arguments {
   std::string where;
   std::string file;
   std::string type = "mission";
@@ -54,7 +54,7 @@ mav_mission_type type_of(const std::string& name) {
 }
 
 // What is on the command line; the files come later, being no usage.
-tl::expected<plan_transfer_options, std::string> read(const arguments& given) {
+tl::expected<plan_transfer_options, std::string> read(const plan_arguments& given) {
   plan_transfer_options options;
   auto where = io::link::parse_uri(given.where);
   if (!where)
@@ -75,7 +75,7 @@ tl::expected<plan_transfer_options, std::string> read(const arguments& given) {
   return options;
 }
 
-exit_code run(const arguments& given, console& to, const std::optional<plan_request>& without_file) {
+exit_code run(const plan_arguments& given, console& to, const std::optional<plan_request>& without_file) {
   auto options = read(given);
   if (!options) {
     to.say(options.error());
@@ -107,7 +107,7 @@ exit_code run(const arguments& given, console& to, const std::optional<plan_requ
   return run_plan_transfer(*options, to, stop.descriptor());
 }
 
-CLI::App* add(CLI::App& to, const char* name, const char* about, const std::shared_ptr<arguments>& given) {
+CLI::App* add(CLI::App& to, const char* name, const char* about, const std::shared_ptr<plan_arguments>& given) {
   auto* const app = to.add_subcommand(name, about);
   app->add_option("URI", given->where, "The link, such as udpin://0.0.0.0:14550")->required();
   app->add_option("--type", given->type, "Which plan (mission)")->check(CLI::IsMember({"mission", "fence", "rally"}));
@@ -127,7 +127,7 @@ CLI::App* add(CLI::App& to, const char* name, const char* about, const std::shar
 } // namespace
 
 command add_upload_command(CLI::App& to) {
-  const auto given = std::make_shared<arguments>();
+  const auto given = std::make_shared<plan_arguments>();
   auto* const app = add(to, "upload", "Uploads a plan from a file to the vehicle.", given);
   app->add_option("FILE", given->file, "The plan")->required();
   app->footer(std::string(about_files) + upload_examples);
@@ -135,7 +135,7 @@ command add_upload_command(CLI::App& to) {
 }
 
 command add_download_command(CLI::App& to) {
-  const auto given = std::make_shared<arguments>();
+  const auto given = std::make_shared<plan_arguments>();
   auto* const app = add(to, "download", "Downloads the plan of the vehicle into a file.", given);
   app->add_option("FILE", given->file, "Where to write it; an existing file is replaced")->required();
   app->footer(std::string(about_files) + download_examples);
@@ -143,7 +143,7 @@ command add_download_command(CLI::App& to) {
 }
 
 command add_clear_command(CLI::App& to) {
-  const auto given = std::make_shared<arguments>();
+  const auto given = std::make_shared<plan_arguments>();
   auto* const app = add(to, "clear", "Removes a plan from the vehicle.", given);
   app->footer(clear_examples);
   return {app, [given](console& into) { return run(*given, into, vehicle_link::clear_plan{type_of(given->type)}); }};

@@ -9,7 +9,7 @@ namespace godwit::trace_tool {
 
 namespace {
 
-struct arguments {
+struct tlog_arguments {
   std::string file;
   print_arguments print;
   bool relative = false;
@@ -17,7 +17,7 @@ struct arguments {
   std::string to;
 };
 
-constexpr const char* examples =
+constexpr const char* tlog_examples =
     R"(Times are UTC as the writer of the log had it: 2026-07-01T12:34:56.5Z, or seconds since its first record: 90.5.
 
 Examples:
@@ -36,7 +36,7 @@ tl::expected<std::optional<time_mark>, std::string> read_mark(const char* option
   return *mark;
 }
 
-tl::expected<tlog_options, std::string> read(const arguments& given) {
+tl::expected<tlog_options, std::string> read(const tlog_arguments& given) {
   tlog_options options;
   options.file = given.file;
   options.time = given.relative ? print_time::since_begin : print_time::utc;
@@ -56,14 +56,14 @@ tl::expected<tlog_options, std::string> read(const arguments& given) {
 
 command add_tlog_command(CLI::App& to) {
   auto* const app = to.add_subcommand("tlog", "Prints the messages of a MAVLink log (.tlog).");
-  const auto given = std::make_shared<arguments>();
+  const auto given = std::make_shared<tlog_arguments>();
   app->add_option("FILE", given->file, "The log, as QGroundControl, MAVProxy, pymavlink and godwit write it")
       ->required();
   add_print_options(*app, given->print);
   app->add_flag("--relative", given->relative, "Seconds since the first record instead of UTC");
   app->add_option("--from", given->from, "From this time on")->type_name("TIME");
   app->add_option("--to", given->to, "Before this time")->type_name("TIME");
-  app->footer(examples);
+  app->footer(tlog_examples);
   return {app, [given](console& into) {
             const auto options = read(*given);
             if (!options) {

@@ -8,6 +8,7 @@
 #include "runtime/journal/journal_file.hpp"
 
 namespace godwit::daemon {
+
 namespace {
 
 // The file may have been saved elsewhere since the last page.

@@ -8,8 +8,8 @@
 #include <CLI/CLI.hpp>
 
 #include "actors/domain/mission/commands/command_table.hpp"
+#include "programs/godwitd/configuration.hpp"
 #include "programs/godwitd/console.hpp"
-#include "programs/godwitd/option_table.hpp"
 
 namespace godwit::daemon {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "messages/operator/types.hpp"
 #include "messages/operator_bridge/control.hpp"
-#include "messages/scan_controller/decision.hpp"
+#include "messages/scan_controller/point.hpp"
 #include "programs/godwitd/accounts/operator_command.hpp"
 #include "programs/godwitd/configuration.hpp"
 #include "programs/godwitd/convert_command.hpp"
@@ -53,7 +53,7 @@ struct wanted_control {
 
 struct invocation {
   task what = task::run;
-  given_texts options;                   // by the names of option_table.hpp
+  given_texts options;                   // by the names of configuration.hpp
   bool json = false;                     // answers for programs
   std::uint32_t patience_s = 5;          // examine: so long it listens on the line
   convert_arguments files;               // convert

@@ -1,5 +1,4 @@
-// What the parts are made with, and how they end. What is opened before: composition_files.cpp; after:
-// composition_open.cpp.
+// What the parts are made with, and how they end. What is opened before and after: composition_open.cpp.
 #include "programs/godwitd/composition.hpp"
 
 #include <future>
@@ -7,10 +6,9 @@
 
 #include "actors/mission_client/actor.hpp"
 #include "actors/telemetry_stream/core.hpp"
-#include "programs/godwitd/child_policies.hpp"
-#include "programs/godwitd/flight_state.hpp"
-#include "programs/godwitd/process_figures.hpp"
-#include "runtime/mail_view.hpp"
+#include "programs/godwitd/flight_actors.hpp"
+#include "programs/godwitd/host_facts.hpp"
+#include "runtime/address/mail_view.hpp"
 
 namespace godwit::daemon {
 

@@ -4,8 +4,10 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <tl/expected.hpp>
 
@@ -28,13 +30,36 @@
 #include "programs/godwitd/link_log/link_log.hpp"
 #include "programs/godwitd/log/program_log.hpp"
 #include "programs/godwitd/operator_access.hpp"
-#include "programs/godwitd/run_end.hpp"
 #include "programs/godwitd/settings.hpp"
 #include "programs/godwitd/sightings/point_pictures.hpp"
 #include "programs/godwitd/sightings/sighting_feed.hpp"
 #include "programs/godwitd/view_actors.hpp"
 
 namespace godwit::daemon {
+
+// Why the run ended, as the first who ended it says. Thread: any.
+class run_end {
+public:
+  struct outcome {
+    bool well = true;
+    std::string why; // a sentence for people; empty when all is well
+  };
+
+  void set(outcome how) {
+    const std::lock_guard guard(mutex_);
+    if (!first_)
+      first_ = std::move(how);
+  }
+  // Nothing: it was ended from outside.
+  [[nodiscard]] std::optional<outcome> get() const {
+    const std::lock_guard guard(mutex_);
+    return first_;
+  }
+
+private:
+  mutable std::mutex mutex_;
+  std::optional<outcome> first_;
+};
 
 class composition {
 public:

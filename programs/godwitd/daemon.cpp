@@ -7,15 +7,12 @@
 #include <unistd.h>
 
 #include "programs/common/printable.hpp"
-#include "programs/godwitd/clock_check.hpp"
+#include "programs/godwitd/checks/start_checks.hpp"
 #include "programs/godwitd/console.hpp"
-#include "programs/godwitd/crash_loop_guard.hpp"
-#include "programs/godwitd/limit_check.hpp"
 #include "programs/godwitd/privacy.hpp"
-#include "programs/godwitd/service_manager.hpp"
-#include "programs/godwitd/signal_handler.hpp"
-#include "programs/godwitd/state_check.hpp"
-#include "programs/godwitd/watchdog_notifier.hpp"
+#include "programs/godwitd/service/crash_loop_guard.hpp"
+#include "programs/godwitd/service/service_manager.hpp"
+#include "programs/godwitd/service/signal_handler.hpp"
 
 namespace godwit::daemon {
 namespace {

@@ -1,9 +1,11 @@
 #include "programs/godwitd/flight_actors.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 
 #include "actors/executor/actor.hpp"
+#include "actors/executor/state.hpp"
 #include "actors/failsafe/actor.hpp"
 #include "actors/ground_port/actor.hpp"
 #include "actors/mapobjects_store/actor.hpp"
@@ -13,12 +15,13 @@
 #include "actors/scan_controller/actor.hpp"
 #include "actors/vehicle_link/actor.hpp"
 #include "io/sqlite/work_queue.hpp"
-#include "programs/godwitd/child_policies.hpp"
 #include "programs/godwitd/landing_watch/actor.hpp"
 #include "programs/godwitd/open_line.hpp"
 #include "programs/godwitd/sightings/feeder.hpp"
+#include "runtime/stored_state.hpp"
 
 namespace godwit::daemon {
+
 namespace {
 
 constexpr const char* executor_name = "executor";
@@ -203,6 +206,23 @@ flight_actors add_flight(runtime::system& actors, const daemon_settings& setting
         actors.request_exit({runtime::exit_cause::essential_given_up, why});
       })));
   return made;
+}
+
+bool is_in_flight(const runtime::recovered& executor) {
+  using executor::durable_core;
+  using executor::phase_status;
+  try {
+    bool result =
+        executor.snapshot && runtime::read_state<durable_core>("executor", *executor.snapshot).status.in_flight;
+    for (const auto& each : executor.events)
+      if (each.type == phase_status::fields.type_name)
+        result =
+            std::get<phase_status>(runtime::read_alternative<durable_core::event>("executor", each.type, each.body))
+                .in_flight;
+    return result;
+  } catch (const std::exception&) {
+    return false;
+  }
 }
 
 } // namespace godwit::daemon

@@ -28,7 +28,7 @@
 #include "actors/mapobjects_store/map_port.hpp"
 #include "actors/mission_client/service_port.hpp"
 #include "actors/movement_detector/eyes_port.hpp"
-#include "actors/operator_bridge/session_ends.hpp"
+#include "actors/operator_bridge/presence.hpp"
 #include "actors/vehicle_link/listeners.hpp"
 #include "io/link/wire.hpp"
 #include "io/mavlink/signing/channel.hpp"
@@ -48,11 +48,15 @@
 #include "programs/godwitd/sightings/point_pictures.hpp"
 #include "programs/godwitd/sightings/sighting_feed.hpp"
 #include "runtime/journal/journal.hpp"
+#include "runtime/journal/records.hpp"
+#include "runtime/supervision/policy.hpp"
 #include "runtime/system.hpp"
 
 namespace godwit::executor {
+
 struct peers;
 struct phase_status;
+
 } // namespace godwit::executor
 
 namespace godwit::failsafe {
@@ -134,5 +138,16 @@ void begin_supervision(runtime::system& actors, const executor::supervision::cir
 
 [[nodiscard]] flight_actors add_flight(runtime::system& actors, const daemon_settings& settings,
                                        const actor_surroundings& outside, const base_actors& base);
+
+// Whether a vehicle flies, as the executor has left it in the journal: for what has to be decided before it runs.
+// Thread: pure.
+
+// EXECUTOR: what the journal has of it. What can not be read is no flight; the executor says why.
+[[nodiscard]] bool is_in_flight(const runtime::recovered& executor);
+
+// How godwitd's actors are supervised: without an essential one the process ends, so that the service manager starts a
+// new one. Thread: constants.
+inline constexpr runtime::child_policy essential{.essential = true, .restart = {}};
+inline constexpr runtime::child_policy replaceable{};
 
 } // namespace godwit::daemon

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "actors/health/report.hpp"
 #include "runtime/clock.hpp"
 
 namespace godwit::daemon {
@@ -40,5 +41,12 @@ private:
 
 // On the file system of FILE, for a process without privileges.
 [[nodiscard]] std::optional<std::uint64_t> free_bytes_beside(const std::string& file);
+
+// What the operating system says about this process. Where it does not tell, a figure is 0.
+//
+// Reads /proc and asks no disk. Thread: any. Source: proc(5), getrusage(2), getrlimit(2).
+
+// Without the free bytes of the disk. BEGAN_MS: since 1970 (UTC).
+[[nodiscard]] health::process_figures look_at_process(std::int64_t began_ms);
 
 } // namespace godwit::daemon

@@ -3,7 +3,6 @@
 #include "programs/godwitd/ground_run/messages.hpp"
 #include "programs/godwitd/landing_watch/messages.hpp"
 #include "programs/godwitd/sightings/messages.hpp"
-#include "programs/godwitd/sightings/sighting_counts.hpp"
 #include "runtime/define_message.hpp"
 
 GODWIT_DEFINE_MESSAGE(godwit::control::control_request);

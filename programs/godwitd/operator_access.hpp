@@ -13,21 +13,46 @@
 #include <string>
 #include <vector>
 
-#include "actors/operator_bridge/session_ends.hpp"
+#include "actors/operator_bridge/presence.hpp"
 #include "io/eyes/helper.hpp"
 #include "programs/godwitd/accounts/account_keeper.hpp"
 #include "programs/godwitd/control/port_view.hpp"
-#include "programs/godwitd/operator_port/log_api.hpp"
+#include "programs/godwitd/flight_actors.hpp"
+#include "programs/godwitd/operator_port/mission_desk.hpp"
 #include "programs/godwitd/operator_port/operator_api.hpp"
 #include "programs/godwitd/operator_port/operator_port.hpp"
+#include "programs/godwitd/operator_port/router.hpp"
 #include "programs/godwitd/operator_port/stream_api.hpp"
 #include "programs/godwitd/operator_port/view_api.hpp"
-#include "programs/godwitd/page_desks.hpp"
+#include "programs/godwitd/operator_port/view_desk.hpp"
+#include "programs/godwitd/settings.hpp"
 #include "programs/godwitd/sightings/point_pictures.hpp"
 #include "programs/godwitd/view_actors.hpp"
 #include "runtime/process.hpp"
+#include "runtime/system.hpp"
 
 namespace godwit::daemon {
+
+// What the page of operators needs beside commands: the actors that ask for it, and their routes. Thread: that of the
+// composition.
+struct page_desks {
+  operator_port::view_inlet views;
+  operator_port::mission_inlet missions;
+  mission::allowed_commands allowed_commands; // that an uploaded mission may hold
+};
+
+using answers_ptr = std::shared_ptr<operator_port::waiting_answers>;
+
+[[nodiscard]] page_desks add_page_desks(runtime::system& actors, const daemon_settings& settings,
+                                        const base_actors& base, const flight_actors& flight,
+                                        const answers_ptr& answers);
+
+[[nodiscard]] operator_port::route_list page_desk_routes(runtime::system& actors, const page_desks& desks,
+                                                         const answers_ptr& answers);
+
+// Of the file of tiles; that there is none is an answer, too. WARN: it can not be used, as a sentence.
+[[nodiscard]] operator_port::route_list tile_routes_of(const operator_port::settings& wanted,
+                                                       const std::function<void(const std::string& sentence)>& warn);
 
 class operator_access {
 public:

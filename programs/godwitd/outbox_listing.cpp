@@ -1,14 +1,15 @@
 #include "programs/godwitd/outbox_listing.hpp"
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
 
 #include "actors/domain/mission/utc_text.hpp"
-#include "programs/godwitd/durations.hpp"
 #include "runtime/journal/journal_reader.hpp"
 #include "runtime/journal/sqlite_error.hpp"
 
 namespace godwit::daemon {
+
 namespace {
 
 using runtime::delivery_state;
@@ -120,6 +121,22 @@ nlohmann::json json_of(const outbox_listing& listing, std::int64_t now_ns) {
     rows.push_back(std::move(each));
   }
   return {{"rows", std::move(rows)}, {"delivered", listing.delivered}, {"is_cut", listing.is_cut}};
+}
+
+std::string duration_text(std::int64_t duration_ns) {
+  const auto tenths = std::max<std::int64_t>(duration_ns, 0) / 100'000'000;
+  const auto seconds = tenths / 10;
+  const auto minutes = seconds / 60;
+  const auto hours = minutes / 60;
+  if (tenths > 0 && seconds < 10)
+    return std::to_string(seconds) + "." + std::to_string(tenths % 10) + " s";
+  if (minutes < 2)
+    return std::to_string(seconds) + " s";
+  if (hours < 1)
+    return std::to_string(minutes) + " min";
+  if (hours < 48)
+    return std::to_string(hours) + " h" + (minutes % 60 == 0 ? "" : " " + std::to_string(minutes % 60) + " min");
+  return std::to_string(hours / 24) + " days";
 }
 
 } // namespace godwit::daemon

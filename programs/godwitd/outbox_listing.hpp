@@ -37,4 +37,9 @@ struct outbox_listing {
 // For programs: {"rows": [...], "delivered": N, "is_cut": false}, times as RFC 3339.
 [[nodiscard]] nlohmann::json json_of(const outbox_listing& listing, std::int64_t now_ns);
 
+// Durations for people. Thread: pure.
+
+// "0.4 s", "12 s", "3 min", "5 h 20 min", "3 days"; of a negative one "0 s".
+[[nodiscard]] std::string duration_text(std::int64_t duration_ns);
+
 } // namespace godwit::daemon

@@ -12,9 +12,9 @@
 #include "io/fields/field_table.hpp"
 #include "io/mavlink/messages/position.hpp"
 #include "io/video/camera_uri.hpp"
-#include "programs/common/redaction.hpp"
+#include "programs/common/printable.hpp"
+#include "programs/godwitd/configuration.hpp"
 #include "programs/godwitd/open_line.hpp"
-#include "programs/godwitd/option_table.hpp"
 
 namespace godwit::daemon {
 namespace {

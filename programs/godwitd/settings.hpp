@@ -23,10 +23,10 @@
 #include "io/http/settings.hpp"
 #include "io/link/uri.hpp"
 #include "messages/operator/principal.hpp"
-#include "programs/godwitd/crash_loop_guard.hpp"
 #include "programs/godwitd/link_log/link_log_options.hpp"
 #include "programs/godwitd/log/log_settings.hpp"
 #include "programs/godwitd/operator_port/settings.hpp"
+#include "programs/godwitd/service/crash_loop_guard.hpp"
 #include "runtime/process.hpp"
 
 namespace godwit::daemon {

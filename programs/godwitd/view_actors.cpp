@@ -6,10 +6,10 @@
 #include "actors/health/actor.hpp"
 #include "actors/scan_controller/actor.hpp"
 #include "actors/telemetry_stream/actor.hpp"
-#include "programs/godwitd/child_policies.hpp"
-#include "programs/godwitd/hub_reader.hpp"
+#include "programs/godwitd/flight_actors.hpp"
 
 namespace godwit::daemon {
+
 namespace {
 
 telemetry_stream::own_handle add_stream(runtime::system& actors, const view_surroundings& outside,

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "runtime/assert.hpp"
-#include "runtime/config/document_path.hpp"
+#include "runtime/config/schema.hpp"
 
 namespace godwit::runtime {
 

@@ -17,7 +17,6 @@
 
 #include <tl/expected.hpp>
 
-#include "runtime/journal/error.hpp"
 #include "runtime/journal/records.hpp"
 
 namespace godwit::runtime {

@@ -5,8 +5,7 @@
 
 #include "io/sqlite/bus_guard.hpp"
 #include "runtime/journal/journal_file.hpp"
-#include "runtime/journal/overlay.hpp"
-#include "runtime/journal/schema.hpp"
+#include "runtime/journal/memory_copy.hpp"
 #include "runtime/journal/sqlite_error.hpp"
 
 namespace godwit::runtime {

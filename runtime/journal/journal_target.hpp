@@ -18,11 +18,11 @@
 #include <unordered_map>
 #include <variant>
 
+#include "io/sqlite/database.hpp"
 #include "io/sqlite/file_watch.hpp"
 #include "io/sqlite/group_target.hpp"
 #include "io/sqlite/log_keeper.hpp"
 #include "io/sqlite/store_file.hpp"
-#include "io/sqlite/transaction.hpp"
 #include "runtime/journal/journal.hpp"
 #include "runtime/journal/memory_copy.hpp"
 #include "runtime/journal/record_store.hpp"

@@ -9,7 +9,7 @@
 #include <string>
 #include <unordered_map>
 
-#include "io/sqlite/error.hpp"
+#include "io/sqlite/store_error.hpp"
 #include "runtime/journal/record_store.hpp"
 #include "runtime/journal/records.hpp"
 
@@ -29,5 +29,11 @@ public:
 private:
   std::unordered_map<std::string, recovered> actors_;
 };
+
+// What a write will do to the recovered state of its actor, in memory: the database's answer plus this, for each write
+// that still waits, is what the database will answer once they are committed.
+//
+// Pure. Thread: any.
+void lay_over(recovered& base, const journal_write& write);
 
 } // namespace godwit::runtime

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -14,9 +15,34 @@
 
 #include <tl/expected.hpp>
 
-#include "runtime/journal/error.hpp"
-
 namespace godwit::runtime {
+
+// What can go wrong with a journal, as a value for the caller and a sentence for people.
+//
+// Every error names the file and the remedy. Thread: plain value, any thread.
+enum class journal_errc {
+  locked,            // another process writes this journal
+  missing,           // asked to open an existing journal, there is none
+  foreign,           // the file is something else than a godwit journal
+  newer,             // written by a later version of godwit or of one of its tables
+  corrupt,           // the integrity check failed
+  read_only,         // the file or its folder can not be written
+  disk_full,         // no space left
+  io,                // the disk reported an error
+  queue_full,        // the writer is late by its bound; nothing was taken
+  stale_incarnation, // a crashed incarnation tried to write after its successor had started
+  closed,            // the journal is shutting down
+};
+
+struct journal_error {
+  journal_errc code{};
+  std::string file;   // the path concerned
+  std::string what;   // what is wrong, with the detail that SQLite or the system gave
+  std::string remedy; // what a person can do about it
+
+  // "journal /var/lib/godwit/journal.db: disk is full (...). Free some space; godwit goes on by itself."
+  [[nodiscard]] std::string message() const;
+};
 
 struct event_record {
   std::int64_t number = 0; // 1, 2, 3, ... for each actor
@@ -117,5 +143,10 @@ struct recovered {
   std::int64_t durable_upto =
       0; // events up to here are on the disk; above it (only while the disk fails) they still wait
 };
+
+// How much of the queue's bound a write takes. Thread: pure.
+
+// Memory, roughly; only the order of magnitude matters.
+[[nodiscard]] std::size_t bytes_of(const journal_write& write);
 
 } // namespace godwit::runtime

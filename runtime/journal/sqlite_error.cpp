@@ -1,6 +1,6 @@
 #include "runtime/journal/sqlite_error.hpp"
 
-#include "runtime/journal/schema.hpp"
+#include "runtime/journal/journal_file.hpp"
 
 namespace godwit::runtime {
 

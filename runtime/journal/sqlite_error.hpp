@@ -6,7 +6,7 @@
 #include <string>
 
 #include "io/sqlite/store_error.hpp"
-#include "runtime/journal/error.hpp"
+#include "runtime/journal/records.hpp"
 
 namespace godwit::runtime {
 

@@ -5,8 +5,8 @@
 
 #include "io/sqlite/group_writer.hpp"
 #include "runtime/journal/journal_target.hpp"
+#include "runtime/journal/records.hpp"
 #include "runtime/journal/sqlite_error.hpp"
-#include "runtime/journal/write_size.hpp"
 
 namespace godwit::runtime {
 

@@ -17,7 +17,6 @@
 
 #include "runtime/journal/journal.hpp"
 #include "runtime/journal/journal_file.hpp"
-#include "runtime/journal/schema.hpp"
 
 namespace godwit::runtime {
 

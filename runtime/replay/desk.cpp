@@ -7,13 +7,12 @@
 #include <caf/scheduler/test_coordinator.hpp>
 #include <nlohmann/json.hpp>
 
+#include "runtime/address/stable_address.hpp"
 #include "runtime/ask_error.hpp"
 #include "runtime/assert.hpp"
-#include "runtime/incarnation.hpp"
-#include "runtime/kill_message.hpp"
-#include "runtime/replay/desk_parts.hpp"
+#include "runtime/frame_parts.hpp"
+#include "runtime/internal_messages.hpp"
 #include "runtime/replay/replay_port.hpp"
-#include "runtime/stable_address.hpp"
 
 namespace godwit::runtime {
 

@@ -17,7 +17,6 @@
 #include <vector>
 
 #include "runtime/trace/reading/delivery.hpp"
-#include "runtime/trace/reading/name_table.hpp"
 
 namespace godwit::runtime {
 

@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
+#include "runtime/envelope.hpp"
 #include "runtime/internal_messages.hpp"
-#include "runtime/message_type.hpp"
 
 namespace caf {
 class actor_control_block;

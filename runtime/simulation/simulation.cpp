@@ -5,10 +5,10 @@
 
 #include <caf/scheduler/test_coordinator.hpp>
 
+#include "runtime/address/stable_address.hpp"
 #include "runtime/assert.hpp"
 #include "runtime/caf_mail.hpp"
-#include "runtime/kill_message.hpp"
-#include "runtime/stable_address.hpp"
+#include "runtime/internal_messages.hpp"
 
 namespace godwit::runtime {
 

@@ -5,10 +5,8 @@
 
 #include "runtime/caf_mail.hpp"
 #include "runtime/internal_messages.hpp"
-#include "runtime/kill_message.hpp"
 #include "runtime/planted_bug.hpp"
 #include "runtime/supervision/child_list.hpp"
-#include "runtime/supervision/ping_ledger.hpp"
 
 namespace godwit::runtime {
 

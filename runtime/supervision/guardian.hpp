@@ -20,7 +20,7 @@
 
 #include <caf/all.hpp>
 
-#include "runtime/incarnation.hpp"
+#include "runtime/frame_parts.hpp"
 #include "runtime/supervision/child_spec.hpp"
 #include "runtime/supervision/policy.hpp"
 

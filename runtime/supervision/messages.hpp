@@ -14,7 +14,6 @@
 
 #include "io/fields/field_table.hpp"
 #include "runtime/condition.hpp"
-#include "runtime/supervision/child_phase.hpp"
 #include "runtime/supervision/policy.hpp"
 
 namespace godwit::runtime {

@@ -55,4 +55,9 @@ struct child_policy {
   GODWIT_FIELDS(child_policy, "runtime.child_policy", essential, restart, end);
 };
 
+// Where a child stands: supervision_core.hpp draws how it goes on from there. Thread: constants.
+enum class child_phase { absent, starting, running, stopping, waiting, given_up };
+
+GODWIT_ENUM_NAMES(child_phase, absent, starting, running, stopping, waiting, given_up);
+
 } // namespace godwit::runtime

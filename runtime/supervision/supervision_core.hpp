@@ -15,16 +15,29 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "runtime/random.hpp"
-#include "runtime/supervision/child_phase.hpp"
 #include "runtime/supervision/policy.hpp"
-#include "runtime/supervision/restart_history.hpp"
 
 namespace godwit::runtime {
+
+// How often a child crashed lately, and what that means: again at once, again after a wait, or no more.
+// Thread: one owner.
+class restart_history {
+public:
+  // The wait before the restart in nanoseconds, or nothing: the child is given up.
+  [[nodiscard]] std::optional<std::int64_t> on_crash(const restart_policy& policy, std::int64_t now_ns,
+                                                     random_source& random);
+  void forget() { crashes_.clear(); }
+
+private:
+  std::deque<std::int64_t> crashes_; // times in the period, oldest first; at most intensity + 1
+};
 
 struct start_child {
   std::size_t child = 0;

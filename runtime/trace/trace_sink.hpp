@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "runtime/message_type.hpp"
+#include "runtime/envelope.hpp"
 
 namespace godwit::runtime {
 

@@ -24,7 +24,7 @@
 #include "actors/mapobjects_store/deliveries.hpp"
 #include "actors/mapobjects_store/map_load.hpp"
 #include "actors/mapobjects_store/map_writer.hpp"
-#include "actors/mapobjects_store/object_view.hpp"
+#include "actors/mapobjects_store/pass_review.hpp"
 #include "actors/mapobjects_store/sightings.hpp"
 #include "runtime/assert.hpp"
 

@@ -17,13 +17,12 @@
 #include "io/mcap/byte_source.hpp"
 #include "io/mcap/repair.hpp"
 #include "io/mcap/segment_folder.hpp"
-#include "io/mcap/stream_reader.hpp"
 #include "runtime/journal/journal_reader.hpp"
 #include "runtime/stored_state.hpp"
-#include "runtime/variant_json.hpp"
 #include "tests/drills/deposit_actors.hpp"
 #include "tests/runtime/journal/journal_fixture.hpp"
 #include "tests/support/run_options.hpp"
+#include "tests/support/strict_mcap_reader.hpp"
 #include "tests/support/victim.hpp"
 
 namespace godwit::tests {
@@ -127,7 +126,7 @@ std::size_t drill_messages(const fs::path& file) {
   mcap::file_source source;
   const auto opened = source.open(file);
   EXPECT_TRUE(opened) << opened.error().message();
-  mcap::stream_reader reader(source);
+  mcap::strict_mcap_reader reader(source);
   std::set<mcap::schema_id> ours_schemas;
   std::set<mcap::channel_id> ours;
   std::size_t result = 0;

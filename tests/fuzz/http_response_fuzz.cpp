@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/http/content_type.hpp"
+#include "io/http/message.hpp"
 #include "io/http/outcome.hpp"
 #include "io/http/response_reader.hpp"
 

@@ -6,8 +6,7 @@
 #include "io/mcap/file_summary.hpp"
 #include "io/mcap/repair.hpp"
 #include "io/mcap/salvage_reader.hpp"
-#include "io/mcap/scan.hpp"
-#include "io/mcap/stream_reader.hpp"
+#include "tests/support/strict_mcap_reader.hpp"
 
 namespace godwit::io::mcap {
 namespace {
@@ -19,7 +18,7 @@ struct ending {
 
 ending read(byte_view bytes) {
   const memory_source source{bytes};
-  stream_reader reader{source};
+  strict_mcap_reader reader{source};
   ending seen;
   for (;;) {
     const auto item = reader.next();

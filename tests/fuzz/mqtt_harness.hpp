@@ -22,9 +22,9 @@
 #include <variant>
 #include <vector>
 
+#include "io/mqtt/cursor.hpp"
 #include "io/mqtt/decoder.hpp"
 #include "io/mqtt/session.hpp"
-#include "io/mqtt/utf8.hpp"
 
 namespace godwit::io::mqtt::fuzz {
 

@@ -16,8 +16,8 @@
 
 #include "io/mavlink/waypoint_file/coordinate_text.hpp"
 #include "io/mavlink/waypoint_file/format.hpp"
+#include "io/mavlink/waypoint_file/waypoint_file.hpp"
 #include "io/mavlink/waypoint_file/waypoint_reader.hpp"
-#include "io/mavlink/waypoint_file/waypoint_writer.hpp"
 
 namespace godwit::io::mavlink::fuzz {
 

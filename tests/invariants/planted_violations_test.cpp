@@ -6,7 +6,7 @@
 
 #include "invariants/checker.hpp"
 #include "io/fields/json_text.hpp"
-#include "runtime/address_options.hpp"
+#include "runtime/address/address_options.hpp"
 
 namespace godwit::invariants {
 namespace planted_violations_test {

@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "runtime/actor_base.hpp"
+#include "runtime/address/stable_address.hpp"
 #include "runtime/caf_mail.hpp"
 #include "runtime/define_message.hpp"
 #include "runtime/simulation/simulation.hpp"
-#include "runtime/stable_address.hpp"
 #include "tests/runtime/foreign_type.hpp"
 
 namespace envelope_test {

@@ -14,13 +14,13 @@
 
 #include "io/mcap/byte_source.hpp"
 #include "io/mcap/repair.hpp"
-#include "io/mcap/stream_reader.hpp"
 #include "runtime/actor_base.hpp"
 #include "runtime/define_message.hpp"
 #include "runtime/journal/journal_reader.hpp"
 #include "runtime/process.hpp"
 #include "runtime/system.hpp"
 #include "tests/runtime/journal/journal_fixture.hpp"
+#include "tests/support/strict_mcap_reader.hpp"
 
 namespace hang_test {
 
@@ -325,7 +325,7 @@ std::size_t messages_in_complete_segments(const std::filesystem::path& folder) {
     io::mcap::file_source source;
     EXPECT_TRUE(source.open(file.path()));
     EXPECT_TRUE(io::mcap::has_end(source).value_or(false)) << file.path();
-    io::mcap::stream_reader reader(source);
+    io::mcap::strict_mcap_reader reader(source);
     for (;;) {
       const auto item = reader.next();
       if (!item || std::holds_alternative<io::mcap::truncated>(*item)) {

@@ -479,7 +479,7 @@ class Configuration(Tree):
     def setUp(self):
         super().setUp()
         self.write_schema("The link.")
-        self.write("programs/godwitd/option_table.hpp", 'option_row{"vehicle", "/vehicle/uri", option_kind::text, "URI", ""},\n')
+        self.write("programs/godwitd/configuration.hpp", 'option_row{"vehicle", "/vehicle/uri", option_kind::text, "URI", ""},\n')
         (self.root / "docs").mkdir()
 
     def write_schema(self, description):

@@ -10,7 +10,6 @@
 #include "runtime/clock.hpp"
 #include "runtime/directory.hpp"
 #include "runtime/trace/reading/delivery.hpp"
-#include "runtime/trace/reading/name_table.hpp"
 #include "runtime/trace/trace_sink.hpp"
 
 namespace godwit::tests {

@@ -1,4 +1,4 @@
-// Holds what a simulation recorded (runtime/trace/memory_trace.hpp) against the promises in invariants/.
+// Holds what a simulation recorded (runtime/simulation/simulation.hpp) against the promises in invariants/.
 // Thread: one at a time.
 #pragma once
 

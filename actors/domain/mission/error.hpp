@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "io/fields/field_table.hpp"
-#include "io/json_schema/quoted.hpp"
+#include "io/json_schema/sentence_parts.hpp"
 
 namespace godwit::mission {
 

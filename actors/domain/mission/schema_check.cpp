@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "actors/domain/mission/text_patterns.hpp"
-#include "io/json_schema/utf8_length.hpp"
+#include "io/json_schema/sentence_parts.hpp"
 #include "runtime/assert.hpp"
 
 namespace godwit::mission {

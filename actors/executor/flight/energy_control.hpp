@@ -10,7 +10,7 @@
 
 #include "actors/domain/energy/energy.hpp"
 #include "actors/executor/flight/flight_context.hpp"
-#include "messages/executor/way_home.hpp"
+#include "messages/executor/flight.hpp"
 
 namespace godwit::executor {
 

@@ -11,7 +11,7 @@
 #include "actors/executor/station_part.hpp"
 #include "actors/executor/station_plan.hpp"
 #include "io/mavlink/enums.hpp"
-#include "io/mavlink/plan_checksum.hpp"
+#include "io/mavlink/plan_meaning.hpp"
 
 namespace godwit::executor {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "actors/executor/settings.hpp"
 #include "actors/executor/state.hpp"
-#include "messages/scan_controller/survey_progress.hpp"
+#include "messages/scan_controller/view.hpp"
 
 namespace godwit::executor {
 

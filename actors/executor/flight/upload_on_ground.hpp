@@ -15,7 +15,7 @@
 
 #include "actors/executor/flight/phase_table.hpp"
 #include "actors/executor/flight/task_control.hpp"
-#include "messages/ground_port/plan_judged.hpp"
+#include "messages/ground_port/mission.hpp"
 #include "messages/vehicle_link/transfer.hpp"
 
 namespace godwit::executor {

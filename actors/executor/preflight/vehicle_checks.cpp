@@ -6,7 +6,7 @@
 #include <string>
 
 #include "io/mavlink/enums.hpp"
-#include "io/mavlink/messages/estimator.hpp"
+#include "io/mavlink/messages/vehicle_status.hpp"
 #include "io/time_units.hpp"
 
 namespace godwit::executor::preflight {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "actors/ground_port/mission_server/autopilot_quirks.hpp"
-#include "io/mavlink/plan_checksum.hpp"
+#include "io/mavlink/plan_meaning.hpp"
 
 namespace godwit::ground_port::mission_server {
 

@@ -20,10 +20,9 @@
 #include <vector>
 
 #include "actors/ground_port/mission_server/autopilot_quirks.hpp"
-#include "actors/ground_port/mission_server/fence_check.hpp"
 #include "actors/ground_port/mission_server/inbox.hpp"
+#include "actors/ground_port/mission_server/plan_check.hpp"
 #include "actors/ground_port/mission_server/plan_store.hpp"
-#include "actors/ground_port/mission_server/reaction.hpp"
 
 namespace godwit::ground_port::mission_server {
 

@@ -1,8 +1,8 @@
 // Plans that come in. See server.hpp.
 #include <algorithm>
 
-#include "actors/ground_port/mission_server/item_check.hpp"
 #include "actors/ground_port/mission_server/item_forms.hpp"
+#include "actors/ground_port/mission_server/plan_check.hpp"
 #include "actors/ground_port/mission_server/server.hpp"
 
 namespace godwit::ground_port::mission_server {

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "io/http/error.hpp"
-#include "io/http/secret_text.hpp"
+#include "io/http/secret_file.hpp"
 
 namespace godwit::io::http {
 

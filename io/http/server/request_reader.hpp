@@ -16,7 +16,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/http/server/message.hpp"
+#include "io/http/server/response_head.hpp"
 #include "io/http/server/settings.hpp"
 
 namespace godwit::io::http {

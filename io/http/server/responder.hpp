@@ -21,7 +21,7 @@
 #include <boost/asio/io_context.hpp>
 
 #include "io/http/connection.hpp"
-#include "io/http/server/message.hpp"
+#include "io/http/server/response_head.hpp"
 
 namespace godwit::io::http {
 

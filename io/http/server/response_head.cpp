@@ -5,6 +5,7 @@
 #include <iterator>
 
 namespace godwit::io::http {
+
 namespace {
 
 struct phrase_row {

@@ -21,9 +21,8 @@
 #include <boost/asio/ip/address.hpp>
 #include <boost/asio/ssl/context.hpp>
 
-#include "io/http/client_place.hpp"
+#include "io/http/connection.hpp"
 #include "io/http/error.hpp"
-#include "io/http/server/counters.hpp"
 #include "io/http/server/request_reader.hpp"
 #include "io/http/server/responder.hpp"
 #include "io/http/server/settings.hpp"

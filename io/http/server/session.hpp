@@ -25,9 +25,9 @@
 
 #include <boost/asio/steady_timer.hpp>
 
-#include "io/http/server/counters.hpp"
 #include "io/http/server/request_reader.hpp"
 #include "io/http/server/responder.hpp"
+#include "io/http/server/settings.hpp"
 
 namespace godwit::io::http {
 

@@ -1,5 +1,5 @@
 // Where a server listens, and what it bears. Every bound ends in an answer or a closed connection, and is counted
-// (counters.hpp).
+// (counters).
 //
 // The defaults are for strangers on a slow radio: 500 bytes a second are enough, less is taken for a slow-loris attack
 // (CWE-770: many connections that are held open by a byte now and then).
@@ -35,6 +35,34 @@ struct server_settings {
   std::size_t min_bytes_per_s = 500;               // of a body, on average
   std::chrono::milliseconds write_timeout{30'000}; // until a piece of an answer (session.hpp, piece_bytes) is taken
   std::chrono::milliseconds close_timeout{1'000};  // for the other side to close too
+};
+
+// What a server has done so far: totals since it was made, but for the one marked "now".
+//
+// Thread: plain values.
+struct server_counters {
+  std::uint64_t accepted = 0;    // connections
+  std::uint64_t turned_away = 0; // connections above their bound, closed at once
+  std::uint64_t open = 0;        // now
+  std::uint64_t handshakes = 0;  // of TLS that went well
+  std::uint64_t upgraded = 0;    // connections that somebody else has taken over
+  std::uint64_t requests = 0;    // that were brought to the handler
+  std::uint64_t answered = 0;    // of these: the whole answer went out
+
+  // Refused with an answer, by which the connection ends.
+  std::uint64_t malformed = 0;      // 400
+  std::uint64_t head_too_large = 0; // 431 and 414
+  std::uint64_t body_too_large = 0; // 413
+
+  // Connections that were closed or lost.
+  std::uint64_t handshakes_failed = 0;
+  std::uint64_t handshake_timeouts = 0;
+  std::uint64_t idle_timeouts = 0;
+  std::uint64_t head_timeouts = 0;
+  std::uint64_t body_timeouts = 0;
+  std::uint64_t write_timeouts = 0;
+  std::uint64_t aborted = 0; // reset by the handler, or because it gave no answer
+  std::uint64_t lost = 0;    // the client went in the middle of a request, or before it had its answer
 };
 
 } // namespace godwit::io::http

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include "io/mavlink/enums.hpp"
 #include "io/mavlink/layout.hpp"
 
 namespace godwit::io::mavlink {
@@ -72,5 +73,23 @@ struct statustext {
   static constexpr std::size_t extensions = 2;
   GODWIT_FIELDS(statustext, "STATUSTEXT", severity, text, id, chunk_seq);
 };
+
+// CURRENT_MODE: the mode that the vehicle is in, and the one that somebody has asked for last. They differ where a
+// failsafe of the autopilot has left the mode that was asked for, or where the vehicle can not enter it.
+// Source: MAVLink's standard modes (common.xml), whose names and order of fields are kept.
+struct current_mode {
+  std::uint8_t standard_mode = 0;         // MAV_STANDARD_MODE; 0: none that it could name
+  std::uint32_t custom_mode = 0;          // as in HEARTBEAT
+  std::uint32_t intended_custom_mode = 0; // 0: not told
+
+  static constexpr std::uint32_t message_id = 436;
+  static constexpr std::uint8_t crc_extra = 193;
+  GODWIT_FIELDS(current_mode, "CURRENT_MODE", standard_mode, custom_mode, intended_custom_mode);
+};
+
+// What the flags of a HEARTBEAT say. Source: MAV_MODE_FLAG. Thread: any.
+[[nodiscard]] constexpr bool is_armed(const heartbeat& m) {
+  return (m.base_mode & number(mav_mode_flag::safety_armed)) != 0;
+}
 
 } // namespace godwit::io::mavlink

@@ -19,6 +19,7 @@
 #include "io/mavlink/signing/link_policy.hpp"
 #include "io/mavlink/signing/signer.hpp"
 #include "io/mavlink/signing/verifier.hpp"
+#include "io/time_units.hpp"
 
 namespace godwit::io::mavlink {
 
@@ -34,11 +35,7 @@ inline constexpr std::size_t max_numbered_speakers = 24;
 // frame, 280 bytes at 9600 baud being 0.3 s.
 inline constexpr std::int64_t stream_silence_ms = 500;
 
-// Both clocks at the moment of an event: the first for deadlines, the second for signatures.
-struct instant {
-  std::int64_t monotonic_ns = 0;
-  std::int64_t wall_ns = 0;
-};
+using godwit::instant; // the first clock for deadlines, the second for signatures
 
 struct signing_settings {
   std::shared_ptr<const secret_key> key; // none: the link is trusted, and nothing is signed

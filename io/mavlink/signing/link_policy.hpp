@@ -11,8 +11,8 @@
 #include <optional>
 #include <span>
 
-#include "io/mavlink/messages/radio.hpp"
 #include "io/mavlink/messages/setup_signing.hpp"
+#include "io/mavlink/messages/vehicle_status.hpp"
 
 namespace godwit::io::mavlink {
 

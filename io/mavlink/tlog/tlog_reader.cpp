@@ -1,6 +1,12 @@
 #include "io/mavlink/tlog/tlog_reader.hpp"
 
 #include <algorithm>
+#include <cassert>
+#include <cstring>
+
+#include "io/mavlink/crc.hpp"
+#include "io/mavlink/frame.hpp"
+#include "io/mavlink/ids.hpp"
 
 namespace godwit::io::mavlink {
 
@@ -135,6 +141,71 @@ bool tlog_reader::is_signature_cut(byte_view frame, const looked_at& found) cons
 // What stands behind a frame that can not be verified: another record, or the end, perhaps in the middle of a time.
 bool tlog_reader::leads_on(byte_view rest) const {
   return rest.size() <= tlog_time_size || (is_likely_time(rest) && is_magic(rest[tlog_time_size]));
+}
+
+namespace {
+
+constexpr std::size_t id_at_v1 = 5;
+
+looked_at look_v1(byte_view bytes) {
+  if (bytes.size() < header_size_v1)
+    return {frame_shape::cut_off, 0};
+  const std::size_t crc_at = header_size_v1 + byte_at(bytes.data(), length_at);
+  const std::size_t size = crc_at + crc_size;
+  if (bytes.size() < size)
+    return {frame_shape::cut_off, size};
+  const message_info* const info = find_message(byte_at(bytes.data(), id_at_v1));
+  if (info == nullptr)
+    return {frame_shape::unknown_id, size};
+  const unsigned crc = byte_at(bytes.data(), crc_at) | unsigned{byte_at(bytes.data(), crc_at + 1)} << 8U;
+  const bool is_right = frame_crc(bytes.subspan(1, crc_at - 1), info->crc_extra) == crc;
+  return {is_right ? frame_shape::v1 : frame_shape::bad_checksum, size};
+}
+
+looked_at look_v2(byte_view bytes) {
+  if (bytes.size() < header_size)
+    return {frame_shape::cut_off, 0};
+  const std::size_t size = frame_size(bytes.data());
+  if (bytes.size() < size)
+    return {frame_shape::cut_off, size};
+  const frame_view frame(bytes.data());
+  const message_info* const info = find_message(frame.id());
+  if (info == nullptr)
+    return {frame_shape::unknown_id, size};
+  if (!crc_matches(frame, info->crc_extra))
+    return {frame_shape::bad_checksum, size};
+  return {(frame.incompat() & ~incompat_signed) == 0 ? frame_shape::v2 : frame_shape::unknown_flags, size};
+}
+
+} // namespace
+
+looked_at look(byte_view bytes) {
+  if (!bytes.empty() && bytes.front() == magic_v2)
+    return look_v2(bytes);
+  if (!bytes.empty() && bytes.front() == magic_v1)
+    return look_v1(bytes);
+  return {};
+}
+
+mcap::result<void> read_window::require(std::size_t count) {
+  assert(count <= window_bytes);
+  if (end_ - begin_ >= count)
+    return {};
+  if (begin_ != 0 && begin_ != end_)
+    std::memmove(memory_.data(), memory_.data() + begin_, end_ - begin_);
+  end_ -= begin_;
+  begin_ = 0;
+  const auto got = source_->read_at(offset_ + end_, std::span(memory_).subspan(end_));
+  if (!got)
+    return tl::make_unexpected(got.error());
+  end_ += *got;
+  return {};
+}
+
+void read_window::drop(std::size_t count) {
+  assert(count <= end_ - begin_);
+  begin_ += count;
+  offset_ += count;
 }
 
 } // namespace godwit::io::mavlink

@@ -23,15 +23,89 @@
 // read_window::window_bytes. Errors: io. Thread: one at a time. Source: format.hpp; what real recordings hold.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "io/mavlink/frame.hpp"
-#include "io/mavlink/tlog/format.hpp"
-#include "io/mavlink/tlog/frame_shape.hpp"
-#include "io/mavlink/tlog/read_window.hpp"
+#include "io/mavlink/wire_format.hpp"
+#include "io/mcap/byte_source.hpp"
 
 namespace godwit::io::mavlink {
+
+// What stands at a place in a log where a frame may begin, judged from the bytes alone.
+//
+// Thread: pure. Source: the MAVLink guide, "Packet Serialization".
+enum class frame_shape : std::uint8_t {
+  nothing,       // neither FD nor FE
+  cut_off,       // it goes on after the end of the bytes
+  unknown_id,    // whole by its length; its checksum can not be verified
+  bad_checksum,  // whole by its length
+  unknown_flags, // right, with an incompatibility flag that we do not know
+  v1,            // right, MAVLink 1
+  v2,            // right
+};
+
+struct looked_at {
+  frame_shape shape = frame_shape::nothing;
+  std::size_t size = 0; // of the whole frame, as far as it is known
+  // The checksum says that a frame of this size is here.
+  [[nodiscard]] bool is_right() const { return shape >= frame_shape::unknown_flags; }
+};
+
+// What begins with the first of BYTES, which may reach further than one frame.
+[[nodiscard]] looked_at look(byte_view bytes);
+
+// A part of a file in memory that moves towards its end, so that a file of any size is read with the same memory.
+//
+// Errors: those of the source. Thread: one at a time.
+class read_window {
+public:
+  static constexpr std::size_t window_bytes = std::size_t{64} << 10;
+
+  // The source must outlive the window.
+  explicit read_window(const mcap::byte_source& source) : source_(&source), memory_(window_bytes) {}
+
+  // Reads on until at least COUNT bytes, at most `window_bytes`, are there, or all up to the end of the source. Moves
+  // what `bytes` gave before.
+  [[nodiscard]] mcap::result<void> require(std::size_t count);
+
+  [[nodiscard]] byte_view bytes() const { return {memory_.data() + begin_, end_ - begin_}; }
+  // Where in the source `bytes` begins.
+  [[nodiscard]] std::uint64_t offset() const { return offset_; }
+
+  // The first COUNT of `bytes` are done with. They stay where they are until the next `require`.
+  void drop(std::size_t count);
+
+private:
+  const mcap::byte_source* source_;
+  std::vector<std::byte> memory_;
+  std::size_t begin_ = 0; // of what was not dropped, in memory_
+  std::size_t end_ = 0;
+  std::uint64_t offset_ = 0;
+};
+
+// The .tlog format of ground stations: one record after the other, without a header.
+//
+//   time[8] frame     time: microseconds since 1970 UTC, big-endian (alone so in all of MAVLink); frame: as on the wire
+//
+// Source: what QGroundControl, MAVProxy and pymavlink write and read. Thread: pure.
+inline constexpr std::size_t tlog_time_size = 8;
+inline constexpr std::size_t max_tlog_record_size = tlog_time_size + max_frame_size;
+
+[[nodiscard]] constexpr std::uint64_t load_tlog_time(std::span<const std::byte, tlog_time_size> bytes) {
+  std::uint64_t time_us = 0;
+  for (const std::byte each : bytes)
+    time_us = time_us << 8U | std::to_integer<std::uint64_t>(each);
+  return time_us;
+}
+
+constexpr void store_tlog_time(std::span<std::byte, tlog_time_size> to, std::uint64_t time_us) {
+  for (std::size_t i = to.size(); i-- > 0; time_us >>= 8U)
+    to[i] = static_cast<std::byte>(time_us);
+}
 
 struct tlog_record {
   std::uint64_t timestamp_us = 0; // since 1970 UTC, by the clock of whoever wrote it

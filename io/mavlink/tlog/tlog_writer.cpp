@@ -8,7 +8,7 @@
 
 #include "io/mavlink/signing/link_policy.hpp"
 #include "io/mavlink/signing/strip_signature.hpp"
-#include "io/mavlink/tlog/format.hpp"
+#include "io/mavlink/tlog/tlog_reader.hpp"
 
 namespace godwit::io::mavlink {
 

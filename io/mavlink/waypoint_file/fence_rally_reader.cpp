@@ -8,7 +8,7 @@
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/waypoint_file/coordinate_text.hpp"
 #include "io/mavlink/waypoint_file/format.hpp"
-#include "io/mavlink/waypoint_file/text_lines.hpp"
+#include "io/mavlink/waypoint_file/waypoint_reader.hpp"
 
 namespace godwit::io::mavlink {
 

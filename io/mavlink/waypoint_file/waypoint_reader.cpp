@@ -11,8 +11,6 @@
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/waypoint_file/coordinate_text.hpp"
 #include "io/mavlink/waypoint_file/format.hpp"
-#include "io/mavlink/waypoint_file/text_lines.hpp"
-#include "io/mavlink/waypoint_file/version_100.hpp"
 
 namespace godwit::io::mavlink {
 

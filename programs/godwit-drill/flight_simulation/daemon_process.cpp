@@ -5,9 +5,7 @@
 
 #include "actors/mapobjects_store/map_port.hpp"
 #include "programs/godwit-drill/flight_simulation/flight_record.hpp"
-#include "programs/godwit-drill/flight_simulation/stepped_map.hpp"
 #include "programs/godwitd/flight_actors.hpp"
-#include "programs/godwitd/flight_state.hpp"
 #include "programs/godwitd/view_actors.hpp"
 #include "runtime/assert.hpp"
 #include "runtime/simulation/simulation.hpp"

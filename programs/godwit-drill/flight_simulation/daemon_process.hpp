@@ -5,17 +5,25 @@
 // runs but by step(). Thread: one.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "actors/executor/state.hpp"
 #include "actors/executor/supervision/table.hpp"
 #include "actors/health/report_port.hpp"
+#include "actors/mapobjects_store/map_access.hpp"
 #include "actors/telemetry_stream/hub.hpp"
+#include "io/link/wire.hpp"
 #include "messages/mapobjects_store/observation.hpp"
 #include "messages/operator/types.hpp"
 #include "messages/operator_bridge/command.hpp"
@@ -24,13 +32,55 @@
 #include "programs/godwit-drill/flight_simulation/simulated_broker.hpp"
 #include "programs/godwit-drill/flight_simulation/simulated_eyes.hpp"
 #include "programs/godwit-drill/flight_simulation/simulated_service.hpp"
-#include "programs/godwit-drill/flight_simulation/simulated_wire.hpp"
 #include "programs/godwitd/settings.hpp"
+#include "runtime/assert.hpp"
 #include "runtime/crash_points.hpp"
 #include "runtime/simulation/simulated_journal.hpp"
 #include "runtime/supervision/child_spec.hpp"
 
 namespace godwit::drill {
+
+// The daemon's end of a link in virtual time: what it sends waits until the world takes it, what it gets is queued as a
+// real link does it. It belongs to one process, and dies with it. Thread: one.
+class simulated_wire final : public io::link::wire {
+public:
+  using frame = std::vector<std::byte>;
+
+  // WAKE is called when the actor has nothing left to do, as that of io::link::line.
+  void open(std::function<void()> wake) {
+    wake_ = std::move(wake);
+    if (incoming().put(io::link::link_status{io::link::link_phase::up, {}, 0}))
+      wake_();
+  }
+
+  // FROM: by which peer, as an address on a real line.
+  void receive(std::span<const std::byte> bytes, io::link::peer_id from = peer) {
+    if (incoming().put(from, bytes, true))
+      wake_();
+  }
+
+  bool send(std::span<const std::byte> bytes, io::link::peer_id to) override {
+    receivers_.push_back(to);
+    sent_.emplace_back(bytes.begin(), bytes.end());
+    return true;
+  }
+
+  // Frames to PEER since note_receivers(), those to everybody among them.
+  void note_receivers() { receivers_.clear(); }
+  [[nodiscard]] std::size_t sent_to(io::link::peer_id who) const {
+    return static_cast<std::size_t>(std::ranges::count(receivers_, who) +
+                                    std::ranges::count(receivers_, io::link::every_peer));
+  }
+
+  [[nodiscard]] std::vector<frame> take_sent() { return std::exchange(sent_, {}); }
+
+private:
+  static constexpr io::link::peer_id peer = 1;
+
+  std::function<void()> wake_;
+  std::vector<frame> sent_;
+  std::vector<io::link::peer_id> receivers_;
+};
 
 class flight_record;
 
@@ -121,6 +171,49 @@ public:
 private:
   struct parts;
   std::unique_ptr<parts> parts_;
+};
+
+// The real map without its thread: what is handed over waits until the test lets it happen, one after the other. It
+// outlives the incarnations of the actor, as the writer does. Thread: the test's.
+class stepped_map final : public mapobjects_store::map_access {
+public:
+  explicit stepped_map(const std::string& file) {
+    auto opened = mapobjects_store::map_store::open({.file = {.path = file}, .rules = {}});
+    GODWIT_ASSERT(opened.has_value(), "drill: the map opens");
+    store_ = std::move(*opened);
+  }
+
+  [[nodiscard]] mapobjects_store::map_result<void> push(mapobjects_store::queued_work item) override {
+    waiting_.push_back(std::move(item));
+    return {};
+  }
+  [[nodiscard]] mapobjects_store::map_writer_status status() const override { return status_; }
+
+  // False: nothing waits.
+  bool step() {
+    if (waiting_.empty())
+      return false;
+    auto item = std::move(waiting_.front());
+    waiting_.pop_front();
+    ++status_.changes;
+    if (auto* change = std::get_if<mapobjects_store::queued_change>(&item))
+      change->done(store_->transact(change->work));
+    else if (auto job = std::get<mapobjects_store::queued_job>(item).start(*store_))
+      static_cast<void>(store_->run(*job)); // it tells its asker itself
+    return true;
+  }
+
+  void fail(const std::string& reason) {
+    status_.failing = !reason.empty();
+    status_.reason = reason;
+  }
+
+  [[nodiscard]] mapobjects_store::map_store& store() { return *store_; }
+
+private:
+  std::unique_ptr<mapobjects_store::map_store> store_;
+  std::deque<mapobjects_store::queued_work> waiting_;
+  mapobjects_store::map_writer_status status_;
 };
 
 } // namespace godwit::drill

@@ -9,13 +9,14 @@
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/messages.hpp"
 #include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
-#include "programs/godwit-drill/flight_simulation/intent_on_disk.hpp"
 #include "programs/godwit-drill/flight_simulation/short_mission.hpp"
+#include "programs/godwit-drill/flight_simulation/stored_disk.hpp"
 #include "programs/godwit-sim/vehicle/world/position.hpp"
 #include "programs/godwitd/configuration.hpp"
 #include "runtime/assert.hpp"
 
 namespace godwit::drill {
+
 namespace {
 
 namespace mavlink = io::mavlink;

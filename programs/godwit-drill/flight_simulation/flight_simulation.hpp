@@ -19,14 +19,13 @@
 #include <string>
 #include <vector>
 
+#include "io/fields/field_table.hpp"
 #include "io/mavlink/scanner.hpp"
 #include "messages/mission/document.hpp"
 #include "messages/mission/progress.hpp"
 #include "programs/godwit-drill/flight_simulation/daemon_process.hpp"
 #include "programs/godwit-drill/flight_simulation/flight_record.hpp"
-#include "programs/godwit-drill/flight_simulation/flight_track.hpp"
 #include "programs/godwit-drill/flight_simulation/people_audit.hpp"
-#include "programs/godwit-drill/flight_simulation/planted_flaw.hpp"
 #include "programs/godwit-drill/flight_simulation/simulated_person.hpp"
 #include "programs/godwit-drill/flight_simulation/simulated_service.hpp"
 #include "programs/godwit-drill/flight_simulation/simulated_station.hpp"
@@ -34,9 +33,22 @@
 #include "programs/godwit-drill/scratch_folder.hpp"
 #include "programs/godwit-sim/line/faulty_line.hpp"
 #include "programs/godwit-sim/vehicle/vehicle.hpp"
-#include "programs/godwitd/crash_loop_guard.hpp"
+#include "programs/godwitd/service/crash_loop_guard.hpp"
 
 namespace godwit::drill {
+
+// What a flight can be made to do wrong on purpose, so that whoever judges flights shows that it would see it.
+// Thread: values.
+enum class planted_flaw {
+  none,
+  lose_report,     // the service forgets the third report
+  double_report,   // the service has the third report twice
+  order_to_person, // the vehicle is sent an order 2 s after godwit has seen that a person has it
+  forget_delivery, // the record lacks the second report to mission_client
+  end_process      // an assertion fails at the third report
+};
+
+GODWIT_ENUM_NAMES(planted_flaw, none, lose_report, double_report, order_to_person, forget_delivery, end_process);
 
 // An order to the vehicle, as it came out of the line.
 struct vehicle_order {

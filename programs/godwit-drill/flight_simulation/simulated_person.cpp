@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "programs/godwit-drill/flight_simulation/autopilot_command.hpp"
+#include "programs/godwit-drill/flight_simulation/vehicle_modes.hpp"
 
 namespace godwit::drill {
 

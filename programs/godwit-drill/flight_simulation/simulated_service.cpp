@@ -4,7 +4,7 @@
 #include <utility>
 #include <variant>
 
-#include "io/http/content_type.hpp"
+#include "io/http/message.hpp"
 #include "programs/godwit-sim/missions/delivered_table.hpp"
 #include "programs/godwit-sim/missions/mission_table.hpp"
 #include "programs/godwit-sim/missions/service_operations.hpp"

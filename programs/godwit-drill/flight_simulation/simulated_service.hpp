@@ -18,11 +18,10 @@
 #include "actors/mission_client/service_port.hpp"
 #include "messages/mission/document.hpp"
 #include "messages/mission/map_objects.hpp"
-#include "programs/godwit-sim/missions/assignment_request.hpp"
+#include "programs/godwit-sim/missions/assignment_table.hpp"
 #include "programs/godwit-sim/missions/fault_book.hpp"
 #include "programs/godwit-sim/missions/faulty_service.hpp"
 #include "programs/godwit-sim/missions/figures.hpp"
-#include "programs/godwit-sim/missions/row_kind.hpp"
 #include "programs/godwit-sim/missions/service.hpp"
 #include "programs/godwit-sim/missions/service_file.hpp"
 

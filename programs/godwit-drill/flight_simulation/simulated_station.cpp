@@ -4,7 +4,7 @@
 
 #include "actors/domain/vehicle_text/vehicle_text.hpp"
 #include "io/mavlink/enums.hpp"
-#include "programs/godwit-drill/flight_simulation/autopilot_command.hpp"
+#include "programs/godwit-drill/flight_simulation/vehicle_modes.hpp"
 
 namespace godwit::drill {
 

@@ -1,13 +1,17 @@
 #include "programs/godwit-drill/flight_simulation/stored_disk.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
+#include "actors/executor/state.hpp"
 #include "actors/operator_bridge/audit_table.hpp"
 #include "runtime/assert.hpp"
 #include "runtime/journal/sqlite_journal.hpp"
+#include "runtime/stored_state.hpp"
 
 namespace godwit::drill {
+
 namespace {
 
 using io::sqlite::fault_kind;
@@ -81,6 +85,18 @@ bool stored_disk::has_failed() const { return fault_vfs::instance().injected(); 
 void stored_disk::lose_power(std::uint64_t seed) {
   fault_vfs::instance().cut_power(seed);
   fault_vfs::instance().track_unsynced();
+}
+
+intent_on_disk read_intent(const runtime::recovered& executor) {
+  using executor::durable_core;
+  executor::state found;
+  if (executor.snapshot)
+    found = runtime::read_state<durable_core>("executor", *executor.snapshot);
+  for (const auto& each : executor.events)
+    if (std::ranges::find(durable_core::retired, each.type) == durable_core::retired.end())
+      (void)durable_core::apply(found, runtime::read_alternative<durable_core::event>("executor", each.type, each.body),
+                                each.at_ns);
+  return {found.progress.upload.has_value(), found.progress.start.has_value()};
 }
 
 } // namespace godwit::drill

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "io/sqlite/fault_vfs.hpp"
+#include "runtime/journal/records.hpp"
 #include "runtime/simulation/simulated_journal.hpp"
 
 namespace godwit::drill {
@@ -39,5 +40,14 @@ private:
   std::string path_;
   std::function<std::int64_t()> now_ns_;
 };
+
+// What the executor has on the disk of what it means to do, as a process would find it that begins now. Thread: pure.
+struct intent_on_disk {
+  bool brings_plan = false; // an upload is intended, and its end is not known
+  bool starts = false;      // the same of a start
+};
+
+// EXECUTOR: what the journal has of it.
+[[nodiscard]] intent_on_disk read_intent(const runtime::recovered& executor);
 
 } // namespace godwit::drill

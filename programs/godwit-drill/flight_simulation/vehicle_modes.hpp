@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 
+#include "io/mavlink/enums.hpp"
+#include "io/mavlink/messages.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/mode_table.hpp"
 #include "programs/godwit-sim/vehicle/personality.hpp"
 
@@ -44,6 +46,20 @@ namespace godwit::drill {
 [[nodiscard]] inline std::uint32_t mission_mode(sim::personality who) {
   constexpr std::array modes{10U, 0x0404'0000U, 3U, 10U, 10U}; // by personality
   return modes.at(static_cast<std::size_t>(who));
+}
+
+// A command as stations send it: COMMAND_LONG to the autopilot 1/1. Thread: any.
+[[nodiscard]] inline io::mavlink::command_long autopilot_command(io::mavlink::mav_cmd what, float param1, float param2,
+                                                                 float param3, float param7) {
+  io::mavlink::command_long result;
+  result.target_system = 1;
+  result.target_component = 1;
+  result.command = io::mavlink::number(what);
+  result.param1 = param1;
+  result.param2 = param2;
+  result.param3 = param3;
+  result.param7 = param7;
+  return result;
 }
 
 } // namespace godwit::drill

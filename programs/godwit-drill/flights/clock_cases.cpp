@@ -4,7 +4,7 @@
 
 #include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
 #include "programs/godwit-drill/flights/disturbed_flight.hpp"
-#include "programs/godwit-drill/flights/left_alone.hpp"
+#include "programs/godwit-drill/flights/watched_flight.hpp"
 
 namespace godwit::drill {
 namespace {

@@ -1,11 +1,12 @@
-// Counts what the flights of a drill came to, and says it: a table, a JSON document, and each flight with a flaw
-// (drill_page.hpp has the page).
-// Thread: one.
+// Counts what the flights of a drill came to, and says it: a table, a JSON document, each flight with a flaw, and a
+// page. Thread: one.
 #pragma once
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -56,5 +57,15 @@ private:
 
 // Of P percent of them it is at most this; 0: there are none.
 [[nodiscard]] double percentile(std::vector<double> values, double p);
+
+// What the flights of a drill came to, as one HTML page: the table, a bar of outcomes and the recoveries of each group,
+// and each flight with a flaw, with its story and the command that flies it again. Thread: any.
+struct drill_page {
+  std::string command; // that was given
+  double took_s = 0;
+  const drill_book& book;
+};
+
+[[nodiscard]] std::string to_html(const drill_page& page);
 
 } // namespace godwit::drill

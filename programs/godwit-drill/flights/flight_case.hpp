@@ -1,6 +1,7 @@
 // One of the enumerated flights of a drill. Thread: values; fly() in one.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <span>
 #include <string>
@@ -58,5 +59,9 @@ using vehicles = std::span<const sim::personality>;
 [[nodiscard]] std::vector<flight_case> people_cases(vehicles which);
 // At each item, twice, while godwitd is dead; and operators who contradict each other.
 [[nodiscard]] std::vector<flight_case> takeover_cases(vehicles which);
+
+// The actors of a flight, by their names in godwitd. Thread: constants.
+inline constexpr std::array actor_names{"vehicle_link",   "failsafe", "mapobjects_store",
+                                        "mission_client", "executor", "ground_port"};
 
 } // namespace godwit::drill

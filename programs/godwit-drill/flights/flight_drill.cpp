@@ -1,7 +1,5 @@
 #include "programs/godwit-drill/flights/flight_drill.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -12,18 +10,20 @@
 #include <iterator>
 #include <random>
 #include <span>
+#include <utility>
 
-#include "programs/common/exit_code.hpp"
+#include <unistd.h>
+
+#include "programs/common/command.hpp"
 #include "programs/godwit-drill/flights/case_runner.hpp"
 #include "programs/godwit-drill/flights/drill_book.hpp"
-#include "programs/godwit-drill/flights/drill_page.hpp"
 #include "programs/godwit-drill/flights/flight_case.hpp"
 #include "programs/godwit-drill/flights/intervention_flight.hpp"
 #include "programs/godwit-drill/flights/random_flight.hpp"
-#include "programs/godwit-drill/flights/shrink.hpp"
 #include "programs/godwit-drill/progress_bar.hpp"
 
 namespace godwit::drill {
+
 namespace {
 
 using programs::exit_code;
@@ -314,6 +314,26 @@ int run_flight_drill(const flight_drill_options& options) {
   const auto took_s = seconds_since(began);
   explain(options, to_explain);
   return say_end(book, flights, options, took_s);
+}
+
+std::vector<std::uint64_t>
+not_needed_to_fail(std::uint64_t faults, const std::function<bool(const std::vector<std::uint64_t>& without)>& fails) {
+  std::vector<std::uint64_t> result;
+  for (bool is_shorter = true; is_shorter;) { // what was needed beside another fault may not be without it
+    is_shorter = false;
+    for (std::uint64_t fault = 0; fault < faults; ++fault) {
+      if (std::ranges::find(result, fault) != result.end())
+        continue;
+      auto without = result;
+      without.push_back(fault);
+      std::ranges::sort(without);
+      if (!fails(without))
+        continue;
+      result = std::move(without);
+      is_shorter = true;
+    }
+  }
+  return result;
 }
 
 } // namespace godwit::drill

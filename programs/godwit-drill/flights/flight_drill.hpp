@@ -2,12 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "programs/godwit-drill/flight_simulation/flight_simulation.hpp"
 #include "programs/godwit-drill/flight_simulation/people_audit.hpp"
-#include "programs/godwit-drill/flight_simulation/planted_flaw.hpp"
 #include "programs/godwit-sim/vehicle/personality.hpp"
 
 namespace godwit::drill {
@@ -49,5 +50,12 @@ struct flight_drill_options {
 // Says it on stdout, and on stderr how far it is. The exit code: 0, 1 (a flight has a flaw, or the file can not be
 // written) or 2 (there is no such case).
 [[nodiscard]] int run_flight_drill(const flight_drill_options& options);
+
+// Finds the fewest faults with which a failing random flight still fails. Thread: pure; FAILS flies.
+
+// Which of FAULTS (0 to FAULTS - 1) can be left out: none of the others can be left out alone. FAILS is asked at most
+// FAULTS * FAULTS times, with those that are left out.
+[[nodiscard]] std::vector<std::uint64_t>
+not_needed_to_fail(std::uint64_t faults, const std::function<bool(const std::vector<std::uint64_t>& without)>& fails);
 
 } // namespace godwit::drill

@@ -10,7 +10,7 @@
 #include "programs/godwit-drill/flight_simulation/scan_mission.hpp"
 #include "programs/godwit-drill/flight_simulation/short_mission.hpp"
 #include "programs/godwit-drill/flight_simulation/vehicle_modes.hpp"
-#include "programs/godwit-drill/flights/actor_names.hpp"
+#include "programs/godwit-drill/flights/flight_case.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/stream_table.hpp"
 
 namespace godwit::drill {

@@ -1,14 +1,17 @@
 #include "programs/godwit-drill/flights/watched_flight.hpp"
 
 #include <algorithm>
+#include <array>
+#include <string>
 #include <utility>
 
 #include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
 #include "programs/godwit-drill/flight_simulation/flight_people.hpp"
 #include "programs/godwit-drill/flight_simulation/short_mission.hpp"
-#include "programs/godwit-drill/flights/known_findings.hpp"
+#include "programs/godwit-drill/flight_simulation/vehicle_modes.hpp"
 
 namespace godwit::drill {
+
 namespace {
 
 flight_simulation::options recorded(flight_simulation::options wanted, const flight_wishes& wishes) {
@@ -99,6 +102,51 @@ flight_outcome watched_flight::judge() {
   if (wishes_.tells_story || !outcome_.held())
     outcome_.story = flight_.story();
   return outcome_;
+}
+
+namespace {
+
+constexpr std::array all_known{
+    known_finding{"replaced_and_killed/commit_25", "there are two different reports 1 of mission"},
+    known_finding{"replaced_and_killed/commit_25", "is of generation 1, behind generation 2"},
+};
+
+} // namespace
+
+std::span<const known_finding> known_findings() { return all_known; }
+
+void set_known_aside(flight_outcome& each, std::span<const known_finding> all) {
+  const auto is_known = [&](const std::string& flaw) {
+    return std::ranges::any_of(all, [&](const known_finding& known) {
+      return each.name.find(known.in_name) != std::string::npos && flaw.find(known.in_flaw) != std::string::npos;
+    });
+  };
+  std::ranges::copy_if(each.flaws, std::back_inserter(each.known), is_known);
+  std::erase_if(each.flaws, is_known);
+}
+
+bool take_by_hand(flight_simulation& flight) {
+  const auto before = flight.vehicle().describe().mode;
+  flight.switch_mode(pilot_mode(flight.who()));
+  return flight.vehicle().describe().mode != before;
+}
+
+void expect_left_alone(watched_flight& watched, bool must_see) {
+  constexpr double seen_within_s = 3; // heartbeats come each second, and those of a mode change at once
+  constexpr double left_alone_s = 15;
+  auto& flight = watched.flight();
+  const auto taken_ns = flight.now_ns();
+  const auto is_seen = [&] { return executor::needs_hand_back(flight.status().cause); };
+  if (flight.run_until(is_seen, seen_within_s)) {
+    ++watched.so_far().takeovers;
+    watched.note_recovery_since(taken_ns);
+  } else {
+    watched.expect(must_see ? "godwit has not seen that a person has the vehicle" : "");
+  }
+  const auto since_ns = flight.now_ns();
+  flight.run_for(left_alone_s);
+  const auto moves = moves_since(flight, since_ns);
+  watched.expect(moves == 0 ? "" : std::to_string(moves) + " commands went out while a person had the vehicle");
 }
 
 } // namespace godwit::drill

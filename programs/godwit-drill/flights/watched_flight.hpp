@@ -4,7 +4,9 @@
 
 #include <chrono>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "programs/godwit-drill/flight_simulation/flight_simulation.hpp"
 #include "programs/godwit-drill/flights/flight_outcome.hpp"
@@ -54,5 +56,27 @@ private:
   flight_simulation flight_;
   flight_outcome outcome_;
 };
+
+// Flaws that the drills have found and that are not mended yet; each is entered in docs/roadmap.md.
+//
+// A flaw is known by its case and by its sentence: anything else that goes wrong in such a flight is a flaw as before.
+// Thread: constants.
+struct known_finding {
+  std::string_view in_name; // part of the names of its cases
+  std::string_view in_flaw; // part of its sentence
+};
+
+[[nodiscard]] std::span<const known_finding> known_findings();
+
+// Moves those of ALL among the flaws of EACH to `known`.
+void set_known_aside(flight_outcome& each, std::span<const known_finding> all = known_findings());
+
+// A person has just taken the vehicle of a flight: godwit must see it, and command nothing from then on. Thread: one.
+
+// Into the mode in which a pilot flies, or drives, by hand. False: it is in that one already, and nobody can see it.
+[[nodiscard]] bool take_by_hand(flight_simulation& flight);
+
+// MUST_SEE: else it is enough that nothing is commanded, as on the ground.
+void expect_left_alone(watched_flight& watched, bool must_see = true);
 
 } // namespace godwit::drill

@@ -22,8 +22,7 @@
 #include <string_view>
 #include <vector>
 
-#include "programs/godwit-eyes/ground/camera_parameters.hpp"
-#include "programs/godwit-eyes/ground/camera_pose.hpp"
+#include "programs/godwit-eyes/ground/camera.hpp"
 
 namespace godwit::eyes {
 

@@ -9,7 +9,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "programs/godwit-eyes/detection/past_pictures.hpp"
+#include "programs/godwit-eyes/detection/change.hpp"
 #include "programs/godwit-eyes/detection/tracker.hpp"
 
 namespace godwit::eyes {

@@ -21,7 +21,7 @@
 #include <opencv2/core.hpp>
 
 #include "programs/godwit-eyes/detection/blobs.hpp"
-#include "programs/godwit-eyes/detection/clutter_map.hpp"
+#include "programs/godwit-eyes/detection/clutter.hpp"
 #include "programs/godwit-eyes/detection/track_filter.hpp"
 
 namespace godwit::eyes {

@@ -8,10 +8,8 @@
 #include <optional>
 #include <system_error>
 
-#include "programs/godwit-eyes/look/boxes_file.hpp"
 #include "programs/godwit-eyes/look/drawing.hpp"
-#include "programs/godwit-eyes/look/picture_reader.hpp"
-#include "programs/godwit-eyes/look/png.hpp"
+#include "programs/godwit-eyes/look/look_files.hpp"
 
 namespace godwit::eyes {
 

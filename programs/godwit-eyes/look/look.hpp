@@ -19,7 +19,7 @@ namespace godwit::eyes {
 
 struct look_settings {
   io::video::camera_uri from;
-  std::string boxes;   // a file for what was found in each picture (boxes_file.hpp); no name: none
+  std::string boxes;   // a file for what was found in each picture (look_files.hpp); no name: none
   std::string use;     // a file for whether each picture was of use; no name: none
   std::string folder;  // for the drawn pictures: is made, and must be empty; no name: nothing is drawn
   int every = 10;      // of the pictures one is drawn

@@ -11,7 +11,6 @@
 #include <unistd.h>
 
 #include "io/video/source.hpp"
-#include "programs/godwit-eyes/session/cutout_maker.hpp"
 #include "programs/godwit-eyes/session/looker.hpp"
 #include "programs/godwit-eyes/session/picture_maker.hpp"
 

@@ -32,7 +32,7 @@ json line_of(const hosted_vehicle& of) {
           {"out", counters_of(of.line().counters(way::out))}};
 }
 
-json link_of(const hosted_vehicle& of) {
+json link_json(const hosted_vehicle& of) {
   const auto counters = of.link_counters();
   return {{"uri", of.link_description()},
           {"peers", counters.peers},
@@ -64,7 +64,7 @@ json status_of(const hosted_vehicle& of) {
           {"has_position", now.has_position},
           {"world_ms", now.world_ms},
           {"line", line_of(of)},
-          {"link", link_of(of)}};
+          {"link", link_json(of)}};
 }
 
 json status(const vehicle_host& host, std::size_t first, std::size_t count) {

@@ -8,23 +8,100 @@
 // Thread: that of the link, for all but the constructor.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include <tl/expected.hpp>
 
 #include "io/link/link.hpp"
+#include "io/link/status.hpp"
+#include "io/mavlink/frame.hpp"
 #include "io/mavlink/scanner.hpp"
-#include "programs/godwit-sim/host/event_watch.hpp"
 #include "programs/godwit-sim/host/fault.hpp"
-#include "programs/godwit-sim/host/frame_finder.hpp"
 #include "programs/godwit-sim/line/faulty_line.hpp"
 #include "programs/godwit-sim/vehicle/vehicle.hpp"
 
 namespace godwit::sim {
+
+// Tells what a person cares about, out of everything that a vehicle does: armed, mode, in the air, mission, items,
+// texts, battery, GPS; and which stations speak to it. A line for each, without its end.
+//
+// Pictures may come as often as one likes; a sentence comes when something has changed. Frames tell what a picture
+// would miss between two looks. Pure. Thread: one at a time.
+class event_watch {
+public:
+  static constexpr std::size_t max_stations = 16; // further ones are not told; so many peers a link has
+  static constexpr double battery_step_percent = 10;
+
+  // What has changed since the last picture; nothing for the first.
+  [[nodiscard]] std::vector<std::string> look(const vehicle_picture& now);
+  // What the vehicle sends: the sentence, or none.
+  [[nodiscard]] std::string sent(const io::mavlink::frame_view& frame);
+  // What a station sends: the sentence when it is a new one, or none.
+  [[nodiscard]] std::string heard(const io::mavlink::frame_view& frame);
+
+private:
+  bool has_looked_ = false;
+  vehicle_picture last_;
+  int reached_ = -1; // the item told last: some autopilots repeat themselves
+  std::vector<io::mavlink::sender> stations_;
+};
+
+// Finds the frames in what the stations of one vehicle send: whole datagrams, or streams that tear frames anywhere, a
+// scanner for each.
+//
+// Datagrams leave nothing behind, so all vehicles can share the scanner for these. Streams are bounded: the one that
+// was silent for longest is forgotten for a new one. Thread: one at a time.
+class frame_finder {
+public:
+  static constexpr std::size_t max_streams = 16;          // as many peers as a link has
+  static constexpr std::int64_t silence_ns = 250'000'000; // then no more bytes belong to the frame that waits for some
+  static constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
+
+  explicit frame_finder(io::mavlink::scanner& datagrams) : datagrams_(datagrams) {}
+
+  template <class Sink>
+  void feed(io::link::peer_id from, std::span<const std::byte> bytes, bool is_datagram, std::int64_t now_ns,
+            Sink&& sink) {
+    if (is_datagram) {
+      datagrams_.feed_datagram(bytes, sink);
+      return;
+    }
+    auto& stream = stream_of(from);
+    stream.heard_ns = now_ns;
+    stream.scanner->feed(bytes, sink);
+  }
+
+  // Ends what has waited too long.
+  template <class Sink>
+  void on_time(std::int64_t now_ns, Sink&& sink) {
+    for (auto& each : streams_)
+      if (each.scanner->waiting_bytes() != 0 && now_ns >= each.heard_ns + silence_ns)
+        each.scanner->end_of_datagram(sink);
+  }
+  [[nodiscard]] std::int64_t next_deadline_ns() const;
+
+  void forget(io::link::peer_id who);
+  void forget_all() { streams_.clear(); }
+
+private:
+  struct torn_stream {
+    io::link::peer_id from;
+    std::int64_t heard_ns;
+    std::unique_ptr<io::mavlink::scanner> scanner;
+  };
+
+  [[nodiscard]] torn_stream& stream_of(io::link::peer_id from);
+
+  io::mavlink::scanner& datagrams_;
+  std::vector<torn_stream> streams_;
+};
 
 struct hosted_settings {
   vehicle_settings vehicle;

@@ -13,6 +13,7 @@
 #include "programs/godwit-sim/host/control_answers.hpp"
 
 namespace godwit::sim {
+
 namespace {
 
 constexpr std::int64_t second_ns = 1'000'000'000;

@@ -10,13 +10,18 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <future>
+#include <limits>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <boost/asio/signal_set.hpp>
@@ -27,11 +32,81 @@
 #include "io/mavlink/tlog/tlog_writer.hpp"
 #include "programs/godwit-sim/camera_server/camera_place.hpp"
 #include "programs/godwit-sim/host/control_port.hpp"
-#include "programs/godwit-sim/host/deadline_heap.hpp"
-#include "programs/godwit-sim/host/host_clock.hpp"
 #include "programs/godwit-sim/host/hosted_vehicle.hpp"
 
 namespace godwit::sim {
+
+// Real time as the vehicles see it: nanoseconds since 1970 when the program started, and from then on as the steady
+// clock goes, so that nobody's setting of the wall clock moves a vehicle. Thread: any.
+class host_clock {
+public:
+  using steady = std::chrono::steady_clock;
+
+  [[nodiscard]] std::int64_t now_ns() const { return steady::now().time_since_epoch().count() + offset_ns_; }
+  [[nodiscard]] steady::time_point at(std::int64_t ns) const {
+    return steady::time_point(std::chrono::nanoseconds(ns - offset_ns_));
+  }
+
+private:
+  static_assert(std::is_same_v<steady::duration, std::chrono::nanoseconds>);
+  std::int64_t offset_ns_ =
+      std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch())
+          .count() -
+      steady::now().time_since_epoch().count();
+};
+
+// Who is due next, of a fixed number of members that each have one deadline which moves all the time.
+//
+// A binary heap that knows where each member stands, so that moving a deadline costs a few steps and leaves nothing
+// behind. Thread: one at a time. Source: any textbook (indexed priority queue).
+class deadline_heap {
+public:
+  static constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
+
+  // All are due never. At least one member.
+  explicit deadline_heap(std::size_t members) : deadlines_(members, never), order_(members), places_(members) {
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    std::iota(places_.begin(), places_.end(), std::size_t{0});
+  }
+
+  void set(std::size_t member, std::int64_t deadline) {
+    deadlines_[member] = deadline;
+    sink(rise(places_[member]));
+  }
+  [[nodiscard]] std::size_t first() const { return order_.front(); }
+  [[nodiscard]] std::int64_t first_deadline() const { return deadlines_[order_.front()]; }
+
+private:
+  [[nodiscard]] std::int64_t at(std::size_t place) const { return deadlines_[order_[place]]; }
+  void exchange(std::size_t a, std::size_t b) {
+    std::swap(order_[a], order_[b]);
+    places_[order_[a]] = a;
+    places_[order_[b]] = b;
+  }
+  std::size_t rise(std::size_t place) {
+    while (place > 0 && at(place) < at((place - 1) / 2)) {
+      exchange(place, (place - 1) / 2);
+      place = (place - 1) / 2;
+    }
+    return place;
+  }
+  void sink(std::size_t place) {
+    for (;;) {
+      auto least = place;
+      for (const auto child : {2 * place + 1, 2 * place + 2})
+        if (child < order_.size() && at(child) < at(least))
+          least = child;
+      if (least == place)
+        return;
+      exchange(place, least);
+      place = least;
+    }
+  }
+
+  std::vector<std::int64_t> deadlines_; // by member
+  std::vector<std::size_t> order_;      // the heap: members
+  std::vector<std::size_t> places_;     // by member: where it stands in the heap
+};
 
 struct host_settings {
   std::vector<hosted_settings> vehicles; // at least one

@@ -4,8 +4,13 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
+
+#include <tl/expected.hpp>
 
 #include "messages/mission/change.hpp"
+#include "messages/mission/item.hpp"
 #include "programs/godwit-sim/missions/service_file.hpp"
 
 namespace godwit::sim::missions {
@@ -26,5 +31,21 @@ void set_outcome(service_file& file, const std::string& assignment_id, mission::
 // The body of an answer with those above the revision AFTER that were not rejected, the oldest first; empty: there are
 // none.
 [[nodiscard]] std::string assignments_after(service_file& file, const std::string& mission_id, std::int64_t after);
+
+// A new assignment, as a person or a test asks for it.
+//
+// Errors: a sentence with each wrong place. Thread: pure.
+
+// What is left out is filled in: the id, the mission's own revision, and the next one that nobody has.
+struct assignment_request {
+  std::vector<mission::item> items;
+  std::optional<std::string> replace_after_item_id; // none: all items are replaced
+  std::optional<std::string> assignment_id;
+  std::optional<std::int32_t> base_revision; // another one than the mission's: stale, the vehicle must reject it
+  std::optional<std::int32_t> revision;      // above all that there were
+};
+
+// As JSON: an assignment in the form of config/schemas, of which all but the items may be left out.
+[[nodiscard]] tl::expected<assignment_request, std::string> parse_assignment_request(std::string_view text);
 
 } // namespace godwit::sim::missions

@@ -7,8 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "actors/domain/mission/read.hpp"
-#include "programs/godwit-sim/missions/assignment_request.hpp"
-#include "programs/godwit-sim/missions/text_file.hpp"
+#include "programs/godwit-sim/missions/assignment_table.hpp"
 #include "programs/godwit-sim/text_forms.hpp"
 
 namespace godwit::sim::missions {

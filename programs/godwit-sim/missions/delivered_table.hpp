@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "programs/godwit-sim/missions/figures.hpp"
-#include "programs/godwit-sim/missions/row_kind.hpp"
 #include "programs/godwit-sim/missions/service_file.hpp"
 
 namespace godwit::sim::missions {

@@ -7,6 +7,7 @@
 #include "programs/godwit-sim/text_forms.hpp"
 
 namespace godwit::sim::missions {
+
 namespace {
 
 using words = std::span<const std::string_view>;

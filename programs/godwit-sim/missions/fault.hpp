@@ -5,7 +5,7 @@
 //   lose on post-progress times 1     the next one is stored, and its answer never comes
 //   status 503 retry-after 2 from 3   all calls from the third one on
 //
-// CALL is a name of endpoint.hpp; without it all calls are meant. N counts the calls that are meant, from 1; without
+// CALL is the name of an endpoint; without it all calls are meant. N counts the calls that are meant, from 1; without
 // `times` it goes on until the faults are taken off. WHAT is one of the structs below.
 //
 // Errors: a sentence that names the word and the allowed form. Thread: values.
@@ -20,9 +20,42 @@
 
 #include <tl/expected.hpp>
 
-#include "programs/godwit-sim/missions/endpoint.hpp"
+#include "io/fields/field_table.hpp"
 
 namespace godwit::sim::missions {
+
+// The calls of the contract, by the names that faults and figures use. Thread: values.
+enum class endpoint {
+  get_mission,
+  delete_mission,
+  get_map_objects,
+  post_map_objects,
+  get_ignored,
+  post_ignored,
+  post_waypoints,
+  post_tail,
+  get_progress,
+  post_progress,
+  get_assignments,
+  post_response,
+  none, // no call of the contract
+};
+
+constexpr auto enum_names(endpoint) {
+  return io::names<endpoint>({{endpoint::get_mission, "get-mission"},
+                              {endpoint::delete_mission, "delete-mission"},
+                              {endpoint::get_map_objects, "get-mapobjects"},
+                              {endpoint::post_map_objects, "post-mapobjects"},
+                              {endpoint::get_ignored, "get-ignored"},
+                              {endpoint::post_ignored, "post-ignored"},
+                              {endpoint::post_waypoints, "post-waypoints"},
+                              {endpoint::post_tail, "post-tail"},
+                              {endpoint::get_progress, "get-progress"},
+                              {endpoint::post_progress, "post-progress"},
+                              {endpoint::get_assignments, "get-assignments"},
+                              {endpoint::post_response, "post-response"},
+                              {endpoint::none, "none"}});
+}
 
 namespace fault {
 

@@ -6,10 +6,27 @@
 #include <string>
 #include <vector>
 
-#include "programs/godwit-sim/missions/endpoint.hpp"
-#include "programs/godwit-sim/missions/row_kind.hpp"
+#include "io/fields/field_table.hpp"
+#include "programs/godwit-sim/missions/fault.hpp"
 
 namespace godwit::sim::missions {
+
+// What vehicles deliver, and how its rows are called apart. Thread: values.
+enum class row_kind {
+  observation,  // observation_id
+  ignored_item, // ignored_id
+  progress,     // report_no
+  change,       // an insert or a tail: its idempotency key
+  response,     // to an assignment: assignment_id
+};
+
+GODWIT_ENUM_NAMES(row_kind, observation, ignored_item, progress, change, response);
+
+struct stored_row {
+  std::string id;
+  std::string text;             // JSON
+  std::uint64_t deliveries = 1; // in requests with different keys; the row itself is there once
+};
 
 // Rows of one kind, of all missions. A row is in the file once, whoever sends it how often: its key sees to that.
 struct row_figures {

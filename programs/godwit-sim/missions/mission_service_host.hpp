@@ -25,7 +25,7 @@
 #include "messages/mission/change.hpp"
 #include "messages/mission/document.hpp"
 #include "messages/mission/map_objects.hpp"
-#include "programs/godwit-sim/missions/assignment_request.hpp"
+#include "programs/godwit-sim/missions/assignment_table.hpp"
 #include "programs/godwit-sim/missions/figures.hpp"
 #include "programs/godwit-sim/missions/settings.hpp"
 

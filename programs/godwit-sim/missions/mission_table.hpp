@@ -5,10 +5,15 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <variant>
 #include <vector>
+
+#include <tl/expected.hpp>
 
 #include "actors/domain/mission/error.hpp"
 #include "messages/mission/document.hpp"
+#include "messages/mission/map_objects.hpp"
 #include "programs/godwit-sim/missions/service_file.hpp"
 
 namespace godwit::sim::missions {
@@ -43,5 +48,53 @@ void set_last_report(service_file& file, const std::string& mission_id, std::int
 [[nodiscard]] std::vector<mission::document_problem> note_items(service_file& file, const std::string& mission_id,
                                                                 std::span<const mission::item> items,
                                                                 const std::string& pointer, bool is_list = true);
+
+// A mission with another end, or with one more waypoint: what inserts, tails and assignments make of it.
+//
+// Errors: none of them changes anything; `missing` is the id that the change goes by and the mission does not have, the
+// places are in the list of new items. Thread: pure.
+enum class behind {
+  keep,   // what comes behind the new items stays
+  replace // nothing comes behind them
+};
+
+struct missing_item {
+  std::string id;
+};
+using change_error = std::variant<missing_item, std::vector<mission::document_problem>>;
+
+// NEW_ITEMS after the item AFTER of OLD (none: in front of all). POINTER: where the new items stand in the request;
+// with IS_LIST after an index. The revision is that of OLD.
+[[nodiscard]] tl::expected<mission::document, change_error> changed_mission(const mission::document& old,
+                                                                            const std::optional<std::string>& after,
+                                                                            const std::vector<mission::item>& new_items,
+                                                                            behind rest, const std::string& pointer,
+                                                                            bool is_list = true);
+
+// What the map has, page by page: the objects and what is ignored, as they were when the first page was asked for.
+//
+// Rows are only ever added, with rising numbers, so a page that goes no further than the last row of that moment shows
+// it. When the objects are replaced, `map_epoch` of the mission rises, and an older `next` is not known any more.
+// Errors: kept by the file. Thread: the file's.
+
+// Where a page begins; its text is the `next` of the contract.
+struct page_place {
+  std::int64_t epoch = 0; // of the mission's objects
+  std::int64_t after = 0; // this row
+  std::int64_t last = 0;  // row of the whole
+  friend bool operator==(const page_place&, const page_place&) = default;
+};
+[[nodiscard]] std::string text_of(const page_place& place);
+[[nodiscard]] std::optional<page_place> parse_page_place(std::string_view text);
+
+enum class page_kind { map_objects, ignored_items };
+
+// The body of an answer. None: NEXT is not known (any more).
+[[nodiscard]] std::optional<std::string> page(service_file& file, const mission_row& of, page_kind kind,
+                                              const std::string& next, std::uint64_t limit);
+
+void replace_map_objects(service_file& file, const std::string& mission_id,
+                         const std::vector<mission::map_object>& objects);
+[[nodiscard]] std::uint64_t map_object_count(service_file& file, const std::string& mission_id);
 
 } // namespace godwit::sim::missions

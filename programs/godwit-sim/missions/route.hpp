@@ -11,7 +11,7 @@
 
 #include <tl/expected.hpp>
 
-#include "programs/godwit-sim/missions/endpoint.hpp"
+#include "programs/godwit-sim/missions/fault.hpp"
 
 namespace godwit::sim::missions {
 

@@ -12,8 +12,7 @@
 #include "programs/godwit-sim/missions/control_answers.hpp"
 #include "programs/godwit-sim/missions/delivered_table.hpp"
 #include "programs/godwit-sim/missions/mission_table.hpp"
-#include "programs/godwit-sim/missions/once.hpp"
-#include "programs/godwit-sim/missions/pages.hpp"
+#include "programs/godwit-sim/missions/service_calls.hpp"
 #include "programs/godwit-sim/missions/service_operations.hpp"
 #include "programs/godwit-sim/missions/synthetic_map.hpp"
 

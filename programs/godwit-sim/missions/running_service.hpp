@@ -20,7 +20,7 @@
 #include "messages/mission/change.hpp"
 #include "messages/mission/document.hpp"
 #include "programs/godwit-sim/host/control_port.hpp"
-#include "programs/godwit-sim/missions/assignment_request.hpp"
+#include "programs/godwit-sim/missions/assignment_table.hpp"
 #include "programs/godwit-sim/missions/fault_book.hpp"
 #include "programs/godwit-sim/missions/faulty_service.hpp"
 #include "programs/godwit-sim/missions/figures.hpp"

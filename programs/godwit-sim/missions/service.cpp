@@ -6,13 +6,9 @@
 
 #include <openssl/crypto.h>
 
-#include "io/http/content_type.hpp"
 #include "io/http/message.hpp"
-#include "programs/godwit-sim/missions/assignment_calls.hpp"
-#include "programs/godwit-sim/missions/batch_calls.hpp"
-#include "programs/godwit-sim/missions/mission_calls.hpp"
-#include "programs/godwit-sim/missions/page_calls.hpp"
-#include "programs/godwit-sim/missions/problem_answer.hpp"
+#include "programs/godwit-sim/missions/exchange.hpp"
+#include "programs/godwit-sim/missions/service_calls.hpp"
 
 namespace godwit::sim::missions {
 namespace {

@@ -13,8 +13,8 @@
 #include <string>
 #include <variant>
 
-#include "programs/godwit-sim/missions/endpoint.hpp"
 #include "programs/godwit-sim/missions/exchange.hpp"
+#include "programs/godwit-sim/missions/fault.hpp"
 #include "programs/godwit-sim/missions/service_file.hpp"
 
 namespace godwit::sim::missions {

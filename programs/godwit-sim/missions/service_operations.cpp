@@ -6,10 +6,8 @@
 #include "actors/domain/mission/utc_text.hpp"
 #include "actors/domain/mission/write.hpp"
 #include "programs/godwit-sim/missions/assignment_table.hpp"
-#include "programs/godwit-sim/missions/change.hpp"
 #include "programs/godwit-sim/missions/delivered_table.hpp"
 #include "programs/godwit-sim/missions/mission_table.hpp"
-#include "programs/godwit-sim/missions/pages.hpp"
 
 namespace godwit::sim::missions::service_operations {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "programs/godwit-sim/missions/faulty_delivery.hpp"
+#include "programs/godwit-sim/missions/faulty_service.hpp"
 #include "programs/godwit-sim/missions/route.hpp"
 
 namespace godwit::sim::missions {

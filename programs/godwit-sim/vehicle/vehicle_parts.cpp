@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "programs/godwit-sim/vehicle/autopilot/ardu_rover.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/copter.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/home_item.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/plane.hpp"

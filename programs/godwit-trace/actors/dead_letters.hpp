@@ -9,6 +9,7 @@
 
 #include <tl/expected.hpp>
 
+#include "invariants/invariant.hpp"
 #include "programs/godwit-trace/actors/text_forms.hpp"
 #include "runtime/journal/records.hpp"
 
@@ -26,5 +27,13 @@ read_dead_letters(const std::string& journal, const std::vector<std::string>& ac
 void append_dead_letter(std::string& out, const given_up& each, const paint& colours);
 // An object on one line.
 void append_dead_letter_json(std::string& out, const given_up& each);
+
+// What `verify` asks of the journal beside a trace. The journal may be in use by a godwitd that runs.
+//
+// Errors: sentences for people. Thread: blocks on the disk.
+
+// ACTORS: of the trace, whose dead letters are read.
+[[nodiscard]] tl::expected<invariants::journal_record, std::string>
+read_journal_record(const std::string& journal, const std::vector<std::string>& actors);
 
 } // namespace godwit::trace_tool

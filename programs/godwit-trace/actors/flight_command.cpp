@@ -6,7 +6,7 @@
 #include "programs/godwit-trace/actors/text_forms.hpp"
 #include "programs/godwit-trace/actors/trace_arguments.hpp"
 #include "programs/godwit-trace/commands.hpp"
-#include "programs/godwit-trace/message_text.hpp"
+#include "programs/godwit-trace/message_forms.hpp"
 #include "programs/godwit-trace/utc_time.hpp"
 
 namespace godwit::trace_tool {

@@ -15,7 +15,6 @@
 #include <nlohmann/json.hpp>
 
 #include "runtime/trace/reading/delivery.hpp"
-#include "runtime/trace/reading/name_table.hpp"
 
 namespace godwit::trace_tool {
 

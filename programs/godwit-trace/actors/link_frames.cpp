@@ -9,8 +9,7 @@
 
 #include "io/time_units.hpp"
 #include "programs/godwit-trace/actors/text_forms.hpp"
-#include "programs/godwit-trace/message_json.hpp"
-#include "programs/godwit-trace/message_text.hpp"
+#include "programs/godwit-trace/message_forms.hpp"
 
 namespace godwit::trace_tool {
 

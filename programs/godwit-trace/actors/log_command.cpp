@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "programs/godwit-trace/actors/delivery_filter.hpp"
 #include "programs/godwit-trace/actors/link_frames.hpp"
 #include "programs/godwit-trace/actors/text_forms.hpp"
 #include "programs/godwit-trace/actors/trace_arguments.hpp"

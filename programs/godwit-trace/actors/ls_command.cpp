@@ -4,7 +4,6 @@
 #include <set>
 
 #include "io/fields/json_text.hpp"
-#include "programs/godwit-trace/actors/table.hpp"
 #include "programs/godwit-trace/actors/text_forms.hpp"
 #include "programs/godwit-trace/actors/trace_arguments.hpp"
 #include "programs/godwit-trace/commands.hpp"
@@ -16,7 +15,7 @@ namespace {
 using runtime::delivery;
 using runtime::outcome;
 
-constexpr double ns_per_s = 1e9;
+constexpr double ns_a_second = 1e9;
 
 struct actor_row {
   std::uint32_t first_incarnation = UINT32_MAX;
@@ -50,7 +49,7 @@ struct run_row {
     ++messages;
     actors[each.actor].add(each);
   }
-  [[nodiscard]] double seconds() const { return static_cast<double>(last_ns - first_ns) / ns_per_s; }
+  [[nodiscard]] double seconds() const { return static_cast<double>(last_ns - first_ns) / ns_a_second; }
   [[nodiscard]] double rate_hz(std::uint64_t count) const {
     return seconds() > 0 ? static_cast<double>(count) / seconds() : 0;
   }
@@ -84,7 +83,7 @@ void append_run(std::string& out, std::uint64_t number, const run_row& run, cons
     table.add(
         {names.name(actor), incarnations(row), std::to_string(row.messages), fixed(run.rate_hz(row.messages), 1),
          duration_text(row.handling_ns),
-         fixed(run.seconds() > 0 ? percent * static_cast<double>(row.handling_ns) / ns_per_s / run.seconds() : 0, 2),
+         fixed(run.seconds() > 0 ? percent * static_cast<double>(row.handling_ns) / ns_a_second / run.seconds() : 0, 2),
          duration_text(row.longest_ns), std::to_string(row.crashed), std::to_string(row.not_handled)});
   table.append_to(out);
   out += '\n';

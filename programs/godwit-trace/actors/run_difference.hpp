@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "runtime/trace/reading/delivery.hpp"
-#include "runtime/trace/reading/name_table.hpp"
 
 namespace godwit::trace_tool {
 

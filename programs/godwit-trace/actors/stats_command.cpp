@@ -4,9 +4,7 @@
 #include <map>
 
 #include "io/fields/json_text.hpp"
-#include "programs/godwit-trace/actors/delivery_filter.hpp"
 #include "programs/godwit-trace/actors/latency.hpp"
-#include "programs/godwit-trace/actors/table.hpp"
 #include "programs/godwit-trace/actors/text_forms.hpp"
 #include "programs/godwit-trace/actors/trace_arguments.hpp"
 #include "programs/godwit-trace/commands.hpp"

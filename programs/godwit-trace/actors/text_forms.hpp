@@ -6,10 +6,9 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "runtime/trace/reading/delivery.hpp"
-#include "runtime/trace/reading/loss.hpp"
-#include "runtime/trace/reading/name_table.hpp"
 
 namespace godwit::trace_tool {
 
@@ -47,5 +46,22 @@ void append_json_line(std::string& out, const runtime::delivery& each, const run
 
 [[nodiscard]] std::string loss_sentence(const runtime::loss& each);
 void append_loss_json(std::string& out, const runtime::loss& each);
+
+// A table of text: each column as wide as what stands in it, numbers to the right. Thread: a value.
+class text_table {
+public:
+  struct column {
+    std::string title;
+    bool is_number = true;
+  };
+  explicit text_table(std::vector<column> columns) : columns_(std::move(columns)) {}
+
+  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+  void append_to(std::string& out) const;
+
+private:
+  std::vector<column> columns_;
+  std::vector<std::vector<std::string>> rows_;
+};
 
 } // namespace godwit::trace_tool

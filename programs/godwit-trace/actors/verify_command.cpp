@@ -6,7 +6,7 @@
 
 #include "invariants/checker.hpp"
 #include "io/fields/json_text.hpp"
-#include "programs/godwit-trace/actors/journal_facts.hpp"
+#include "programs/godwit-trace/actors/dead_letters.hpp"
 #include "programs/godwit-trace/actors/text_forms.hpp"
 #include "programs/godwit-trace/actors/trace_arguments.hpp"
 #include "programs/godwit-trace/commands.hpp"

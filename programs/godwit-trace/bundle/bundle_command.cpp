@@ -6,13 +6,12 @@
 #include <memory>
 #include <system_error>
 
-#include "io/sqlite/backup.hpp"
+#include "io/sqlite/database.hpp"
 #include "io/time_units.hpp"
 #include "programs/common/control_client.hpp"
-#include "programs/common/redaction.hpp"
+#include "programs/common/printable.hpp"
 #include "programs/godwit-trace/actors/link_frames.hpp"
 #include "programs/godwit-trace/bundle/bundle_plan.hpp"
-#include "programs/godwit-trace/bundle/flight_choice.hpp"
 #include "programs/godwit-trace/bundle/tar_writer.hpp"
 #include "programs/godwit-trace/commands.hpp"
 #include "programs/godwit-trace/utc_time.hpp"

@@ -7,6 +7,9 @@
 
 #include <string>
 
+#include <tl/expected.hpp>
+
+#include "io/http/secret_file.hpp"
 #include "messages/operator/principal.hpp"
 #include "runtime/process.hpp"
 
@@ -27,5 +30,13 @@ struct operator_arguments {
 };
 
 [[nodiscard]] runtime::exit_code run_operator(const operator_arguments& asked, const std::string& file);
+
+// A password from who sits at the terminal, without showing it; or the first line of what is piped in. Never from the
+// command line: others on the machine can read that.
+//
+// Errors: a sentence. Thread: the main one; blocks.
+
+// At a terminal it is asked for twice.
+[[nodiscard]] tl::expected<io::http::secret_text, std::string> ask_new_password(const std::string& name);
 
 } // namespace godwit::accounts

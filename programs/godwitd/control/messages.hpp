@@ -8,7 +8,7 @@
 #include "messages/failsafe/types.hpp"
 #include "messages/operator/types.hpp"
 #include "messages/operator_bridge/control.hpp"
-#include "messages/scan_controller/decision.hpp"
+#include "messages/scan_controller/point.hpp"
 
 namespace godwit::control {
 

@@ -13,7 +13,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "programs/common/unix_address.hpp"
+#include "programs/common/control_client.hpp"
 #include "programs/godwitd/control/request_line.hpp"
 
 namespace godwit::control {

@@ -7,10 +7,10 @@
 #include "io/fields/json_text.hpp"
 #include "programs/common/control_client.hpp"
 #include "programs/common/printable.hpp"
-#include "programs/godwitd/config_check.hpp"
+#include "programs/godwitd/checks/config_check.hpp"
 #include "programs/godwitd/configuration.hpp"
 #include "programs/godwitd/doctor/host_findings.hpp"
-#include "programs/godwitd/doctor/line_listener.hpp"
+#include "programs/godwitd/doctor/line_findings.hpp"
 #include "programs/godwitd/host_facts.hpp"
 #include "programs/godwitd/settings.hpp"
 

@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#include <tl/expected.hpp>
+
 #include "io/link/uri.hpp"
-#include "io/mavlink/scan_counters.hpp"
+#include "io/mavlink/scanner.hpp"
 #include "programs/godwitd/doctor/finding.hpp"
 
 namespace godwit::daemon::doctor {
@@ -36,5 +38,12 @@ struct line_expectation {
 };
 
 [[nodiscard]] findings judge_line(const heard_line& heard, const line_expectation& wanted);
+
+// Listens on a line for a few seconds, and sends heartbeats of an onboard computer there: some speak only when they
+// hear somebody. Nothing else is sent. Thread: the caller's, which waits.
+
+// Until PATIENCE is over, or an autopilot was heard for long enough to notice a second one. Error: a sentence, for a
+// line that can never be opened.
+[[nodiscard]] tl::expected<heard_line, std::string> listen_on(const io::link::uri& line, std::chrono::seconds patience);
 
 } // namespace godwit::daemon::doctor

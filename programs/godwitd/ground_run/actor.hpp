@@ -11,7 +11,7 @@
 #include <string>
 
 #include "messages/mapobjects_store/handle.hpp"
-#include "programs/godwitd/ground_run/handle.hpp"
+#include "programs/godwitd/ground_run/messages.hpp"
 #include "programs/godwitd/sightings/sighting_flow.hpp"
 #include "runtime/actor_base.hpp"
 

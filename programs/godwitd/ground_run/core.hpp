@@ -22,14 +22,38 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "messages/mapobjects_store/delivery.hpp"
 #include "messages/mission_client/types.hpp"
-#include "programs/godwitd/ground_run/steps.hpp"
-#include "programs/godwitd/sightings/sighting_counts.hpp"
+#include "programs/godwitd/sightings/messages.hpp"
 
 namespace godwit::ground_run {
+
+// What the run on the ground wants done, in this order. Thread: plain values.
+struct begin_fetch {}; // tell mission_client to fetch the mission
+struct choose {};      // tell the map store which mission it is: there is no mission_client that would
+struct look {};        // ask mission_client how far it is
+struct see {};         // let the sightings flow
+struct push {};        // tell mission_client that the flight is over
+struct count_owed {};  // ask the map store whether anything is left
+struct begin_later {}; // after retry_after
+
+// For people; a warning asks for a person.
+struct announce {
+  std::string sentence;
+  bool is_warning = false;
+};
+
+// The program ends.
+struct finish {
+  bool well = true;
+  std::string why; // a sentence for people; empty when all is well
+};
+
+using step = std::variant<begin_fetch, choose, look, see, push, count_owed, begin_later, announce, finish>;
+using steps = std::vector<step>;
 
 // Without the network at the start nobody has to come back to the vehicle: the fetch begins anew.
 inline constexpr std::chrono::seconds retry_after{60};

@@ -5,7 +5,10 @@
 #include <cstdint>
 
 #include "io/fields/field_table.hpp"
+#include "messages/mission_client/handle.hpp"
+#include "messages/vehicle_link/types.hpp"
 #include "programs/godwitd/ground_run/core.hpp"
+#include "runtime/seam.hpp"
 
 namespace godwit::ground_run {
 
@@ -34,5 +37,14 @@ struct run_status {
   sighting_counts sightings;
   GODWIT_FIELDS(run_status, "ground_run.run_status", mission_id, phase, sightings);
 };
+
+// Who may say what to the run on the ground.
+using feed_handle = runtime::mailbox<runtime::tells<woken>>;
+using status_handle = runtime::mailbox<runtime::asks<get_run, run_status>>;
+
+using own_handle = runtime::combine<
+    mission_client::listener_handle,
+    runtime::mailbox<runtime::tells<vehicle_link::connection_changed>, runtime::tells<woken>, runtime::tells<tick>,
+                     runtime::tells<retry_due>, runtime::asks<get_run, run_status>>>;
 
 } // namespace godwit::ground_run

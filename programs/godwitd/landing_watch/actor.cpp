@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "io/mavlink/heartbeat_meaning.hpp"
+#include "io/mavlink/messages/heartbeat.hpp"
 #include "runtime/content_hash.hpp"
 
 namespace godwit::landing_watch {

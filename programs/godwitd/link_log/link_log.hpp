@@ -16,8 +16,7 @@
 
 #include <tl/expected.hpp>
 
-#include "io/link/tap.hpp"
-#include "programs/godwitd/link_log/chunk_buffer.hpp"
+#include "io/link/wire.hpp"
 #include "programs/godwitd/link_log/link_log_options.hpp"
 #include "programs/godwitd/link_log/link_recording.hpp"
 #include "runtime/clock.hpp"

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "actors/telemetry_stream/core.hpp"
-#include "io/http/server/message.hpp"
+#include "io/http/server/response_head.hpp"
 #include "messages/operator_bridge/audit.hpp"
 #include "messages/operator_bridge/command.hpp"
 #include "messages/operator_bridge/control.hpp"

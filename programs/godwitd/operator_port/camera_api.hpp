@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "io/eyes/picture_slot.hpp"
-#include "programs/godwitd/operator_port/route.hpp"
+#include "programs/godwitd/operator_port/router.hpp"
 #include "runtime/clock.hpp"
 
 namespace godwit::operator_port {

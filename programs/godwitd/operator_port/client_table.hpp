@@ -21,7 +21,7 @@
 
 #include <boost/asio/ip/address.hpp>
 
-#include "io/http/client_place.hpp"
+#include "io/http/connection.hpp"
 #include "io/http/server/client_share.hpp"
 
 namespace godwit::operator_port {

@@ -9,11 +9,12 @@
 #include "actors/domain/mission/convert/convert.hpp"
 #include "actors/domain/uuid/uuid.hpp"
 #include "io/fields/json_text.hpp"
-#include "programs/godwitd/accounts/token.hpp"
+#include "programs/godwitd/accounts/password.hpp"
 #include "programs/godwitd/operator_port/api_answers.hpp"
 #include "programs/godwitd/operator_port/request_body.hpp"
 
 namespace godwit::operator_port {
+
 namespace {
 
 struct checked_mission {

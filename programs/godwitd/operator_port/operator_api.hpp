@@ -17,6 +17,7 @@
 #include "programs/godwitd/accounts/account_keeper.hpp"
 #include "programs/godwitd/operator_port/operator_desk.hpp"
 #include "programs/godwitd/operator_port/request_body.hpp"
+#include "programs/godwitd/operator_port/router.hpp"
 #include "programs/godwitd/operator_port/waiting_answers.hpp"
 
 namespace godwit::operator_port {
@@ -51,5 +52,8 @@ private:
   accounts::account_keeper& keeper_;
   inlet tell_;
 };
+
+// Where the operator's API lies on the port. Thread: that of the port.
+[[nodiscard]] route_list routes_of(const std::shared_ptr<operator_api>& api);
 
 } // namespace godwit::operator_port

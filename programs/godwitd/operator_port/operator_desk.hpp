@@ -18,7 +18,7 @@
 #include "messages/failsafe/types.hpp"
 #include "messages/operator_bridge/handle.hpp"
 #include "messages/scan_controller/handle.hpp"
-#include "programs/godwitd/audit_source.hpp"
+#include "programs/godwitd/audit_reader.hpp"
 #include "programs/godwitd/operator_port/waiting_answers.hpp"
 #include "runtime/actor_base.hpp"
 

@@ -13,9 +13,8 @@
 #include <boost/asio/io_context.hpp>
 #include <tl/expected.hpp>
 
-#include "io/http/server/counters.hpp"
+#include "io/http/server/settings.hpp"
 #include "io/prometheus/text.hpp"
-#include "programs/godwitd/operator_port/route.hpp"
 #include "programs/godwitd/operator_port/router.hpp"
 #include "programs/godwitd/operator_port/settings.hpp"
 

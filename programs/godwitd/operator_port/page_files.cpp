@@ -1,16 +1,21 @@
 #include "programs/godwitd/operator_port/page_files.hpp"
 
 #include <array>
+#include <charconv>
 #include <memory>
 #include <span>
 #include <stdexcept>
+#include <utility>
 
+#include <nlohmann/json.hpp>
 #include <openssl/evp.h>
 #include <zlib.h>
 
 #include "io/fields/hex_text.hpp"
+#include "io/http/server/response_head.hpp"
 
 namespace godwit::operator_port {
+
 namespace {
 
 // OWASP, "Content Security Policy": scripts, styles and pictures of ours, and our own API. data: and blob: are pictures
@@ -84,6 +89,100 @@ route_list page_routes(const std::vector<page_file>& files) {
                       access::open}); // nothing but the page: what it shows is asked for with its session
   }
   return result;
+}
+
+namespace {
+
+constexpr std::int64_t max_zoom = 24; // of what a browser draws
+constexpr const char* kept_by_browsers = "private, max-age=86400";
+
+struct type_row {
+  std::string_view format;
+  const char* content_type;
+};
+constexpr std::array types{type_row{"png", "image/png"}, type_row{"jpg", "image/jpeg"}, type_row{"jpeg", "image/jpeg"},
+                           type_row{"webp", "image/webp"}};
+
+const char* type_of(std::string_view format) {
+  for (const auto& each : types)
+    if (each.format == format)
+      return each.content_type;
+  return nullptr;
+}
+
+std::string metadata(io::sqlite::database& file, const std::string& name) {
+  return file.query_text("SELECT value FROM metadata WHERE name = " + io::sqlite::quoted(name)).value_or("");
+}
+
+// All digits of TEXT.
+std::optional<std::int64_t> number_of(std::string_view text) {
+  std::int64_t result = 0;
+  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), result);
+  if (failed != std::errc() || end != text.data() + text.size() || result < 0)
+    return std::nullopt;
+  return result;
+}
+
+// The last of PATH between slashes, which is taken off.
+std::optional<std::int64_t> take_last(std::string_view& path) {
+  const auto slash = path.rfind('/');
+  const auto result = number_of(path.substr(slash + 1));
+  path = path.substr(0, slash);
+  return result;
+}
+
+} // namespace
+
+tl::expected<std::shared_ptr<tile_file>, std::string> tile_file::open(const std::string& path) {
+  auto file = io::sqlite::database::open(path, {.mode = io::sqlite::open_mode::immutable});
+  if (!file)
+    return tl::make_unexpected(path + " can not be opened: " + file.error().message);
+  auto tile = file->prepare("SELECT tile_data FROM tiles WHERE zoom_level = ? AND tile_column = ? AND tile_row = ?");
+  if (!tile)
+    return tl::make_unexpected(path + " is no MBTiles file: " + tile.error().message);
+  const auto format = metadata(*file, "format");
+  const auto* const type = type_of(format);
+  if (type == nullptr)
+    return tl::make_unexpected(path + " has tiles of the format \"" + format + "\"; png, jpg and webp are shown");
+  const auto zoom = [&](const char* key, const char* chosen) {
+    const auto said = number_of(metadata(*file, key));
+    return said ? *said : file->query_integer("SELECT " + std::string(chosen) + "(zoom_level) FROM tiles").value_or(0);
+  };
+  const nlohmann::json description{{"attribution", metadata(*file, "attribution")},
+                                   {"name", metadata(*file, "name")},
+                                   {"min_zoom", zoom("minzoom", "min")},
+                                   {"max_zoom", zoom("maxzoom", "max")}};
+  std::shared_ptr<tile_file> result(new tile_file(*std::move(file), *std::move(tile)));
+  result->content_type_ = type;
+  result->description_ = description.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return result;
+}
+
+std::optional<std::string> tile_file::read(std::int64_t zoom, std::int64_t column, std::int64_t row) {
+  if (zoom > max_zoom || column >= std::int64_t{1} << zoom || row >= std::int64_t{1} << zoom)
+    return std::nullopt;
+  const auto from_south = (std::int64_t{1} << zoom) - 1 - row;
+  const auto found = tile_.with(zoom, column, from_south).step();
+  std::optional<std::string> result;
+  if (found && *found)
+    result = tile_.text(0);
+  tile_.reset();
+  return result;
+}
+
+route_list tile_routes(const std::shared_ptr<tile_file>& from) {
+  const auto describe = [from](const server_request&, responder answer) { answer.send({.body = from->description()}); };
+  const auto show = [from](const server_request& asked, responder answer) {
+    auto path = std::string_view(asked.target).substr(0, asked.target.find('?'));
+    const auto row = take_last(path);
+    const auto column = take_last(path);
+    const auto zoom = take_last(path);
+    auto picture = row && column && zoom ? from->read(*zoom, *column, *row) : std::nullopt;
+    if (!picture)
+      return answer.send(io::http::problem_response(404, "The file has no such tile."));
+    answer.send({200, from->content_type(), *std::move(picture), {{"Cache-Control", kept_by_browsers}}});
+  };
+  return {{"GET", "/api/v1/tiles", 0, describe}, {"GET", "/tiles/{}/{}/{}", 0, show}};
 }
 
 } // namespace godwit::operator_port

@@ -8,13 +8,13 @@
 
 #include <tl/expected.hpp>
 
-#include "io/http/secret_text.hpp"
-#include "io/http/server/message.hpp"
+#include "io/http/secret_file.hpp"
+#include "io/http/server/response_head.hpp"
 #include "messages/failsafe/types.hpp"
 #include "messages/operator_bridge/audit.hpp"
 #include "messages/operator_bridge/command.hpp"
 #include "messages/operator_bridge/control.hpp"
-#include "messages/scan_controller/decision.hpp"
+#include "messages/scan_controller/point.hpp"
 
 namespace godwit::operator_port {
 

@@ -9,6 +9,7 @@
 #include "programs/godwitd/operator_port/host_check.hpp"
 
 namespace godwit::operator_port {
+
 namespace {
 
 using io::http::problem_response;

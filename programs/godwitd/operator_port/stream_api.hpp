@@ -16,7 +16,7 @@
 #include "actors/telemetry_stream/hub.hpp"
 #include "io/http/server/websocket.hpp"
 #include "io/prometheus/text.hpp"
-#include "programs/godwitd/operator_port/route.hpp"
+#include "programs/godwitd/operator_port/router.hpp"
 
 namespace godwit::operator_port {
 

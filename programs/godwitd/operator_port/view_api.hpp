@@ -8,8 +8,10 @@
 #pragma once
 
 #include <chrono>
+#include <deque>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -17,8 +19,9 @@
 #include <boost/asio/steady_timer.hpp>
 
 #include "actors/health/report_port.hpp"
+#include "actors/telemetry_stream/hub.hpp"
 #include "io/prometheus/text.hpp"
-#include "programs/godwitd/operator_port/route.hpp"
+#include "programs/godwitd/operator_port/router.hpp"
 #include "runtime/clock.hpp"
 
 namespace godwit::operator_port {
@@ -61,6 +64,25 @@ private:
   boost::asio::steady_timer patience_;
   std::optional<clock::time_point> made_at_; // of the newest report
   std::vector<waiting> waiting_;             // at most one for each client
+};
+
+// What godwitd has logged of late, for who opens the page later: GET /api/v1/log.
+//
+//   log ──publish──> hub ──text──> add: the newest max_lines ──> {"lines": [...]}, the oldest first, as the stream has
+//   them
+//
+// Thread: add by any; the route in that of the port.
+class log_api : public std::enable_shared_from_this<log_api> {
+public:
+  static constexpr std::size_t max_lines = 500; // the oldest goes
+
+  // LINE: as it was published.
+  void add(telemetry_stream::text_ptr line);
+  [[nodiscard]] route_list routes();
+
+private:
+  std::mutex mutex_; // over all that follows
+  std::deque<telemetry_stream::text_ptr> lines_;
 };
 
 } // namespace godwit::operator_port

@@ -24,7 +24,7 @@ std::string_view take_until(std::string_view& text, char end) {
 }
 
 template <class Number>
-bool read_number(std::string_view text, Number& value) {
+bool read_query_number(std::string_view text, Number& value) {
   const auto* const end = text.data() + text.size();
   const auto read = std::from_chars(text.data(), end, value);
   return read.ec == std::errc() && read.ptr == end;
@@ -33,7 +33,7 @@ bool read_number(std::string_view text, Number& value) {
 bool read_part(std::string_view text, mapobjects_store::map_part& part) {
   std::array<double, 4> degrees{};
   for (auto& each : degrees)
-    if (!read_number(take_until(text, ','), each) || !std::isfinite(each))
+    if (!read_query_number(take_until(text, ','), each) || !std::isfinite(each))
       return false;
   part = {degrees[0], degrees[1], degrees[2], degrees[3]};
   const bool is_on_earth =
@@ -59,7 +59,7 @@ tl::expected<mapobjects_store::get_objects, std::string> read_objects_query(std:
     auto value = take_until(query, '&');
     const auto name = take_until(value, '=');
     const bool is_read = name == "bbox"    ? read_part(value, result.within)
-                         : name == "limit" ? read_number(value, result.limit) && result.limit > 0
+                         : name == "limit" ? read_query_number(value, result.limit) && result.limit > 0
                                            : false;
     if (!is_read)
       return tl::make_unexpected(std::string(query_rule));

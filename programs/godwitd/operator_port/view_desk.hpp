@@ -22,7 +22,7 @@
 #include "io/fields/field_table.hpp"
 #include "messages/executor/handle.hpp"
 #include "messages/mapobjects_store/handle.hpp"
-#include "programs/godwitd/operator_port/route.hpp"
+#include "programs/godwitd/operator_port/router.hpp"
 #include "programs/godwitd/operator_port/waiting_answers.hpp"
 #include "runtime/actor_base.hpp"
 

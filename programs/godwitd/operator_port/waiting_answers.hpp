@@ -14,8 +14,8 @@
 #include <string>
 #include <string_view>
 
-#include "io/http/client_place.hpp"
-#include "io/http/secret_text.hpp"
+#include "io/http/connection.hpp"
+#include "io/http/secret_file.hpp"
 #include "io/http/server/responder.hpp"
 
 namespace godwit::operator_port {

@@ -5,8 +5,20 @@
 
 #include "io/fields/field_table.hpp"
 #include "messages/mapobjects_store/observation.hpp"
-#include "programs/godwitd/sightings/sighting_counts.hpp"
 #include "runtime/seam.hpp"
+
+namespace godwit::daemon {
+
+// What became of the sightings of a run. Thread: plain values.
+struct sighting_counts {
+  std::uint64_t recorded = 0;    // answered by the map store, those that it had already included
+  std::uint64_t refused = 0;     // by the map store, or for want of room
+  std::uint64_t unreadable = 0;  // lines that are no sightings
+  std::uint64_t not_offered = 0; // recorded, and scan_controller did not answer
+  GODWIT_FIELDS(sighting_counts, "godwitd.sighting_counts", recorded, refused, unreadable, not_offered);
+};
+
+} // namespace godwit::daemon
 
 namespace godwit::sightings {
 

@@ -18,8 +18,6 @@
 #include "io/mcap/file_summary.hpp"
 #include "io/mcap/salvage_reader.hpp"
 #include "runtime/trace/reading/delivery.hpp"
-#include "runtime/trace/reading/loss.hpp"
-#include "runtime/trace/reading/name_table.hpp"
 #include "runtime/trace/reading/record_parser.hpp"
 #include "runtime/trace/reading/trace_files.hpp"
 

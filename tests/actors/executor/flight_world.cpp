@@ -6,7 +6,7 @@
 
 #include "actors/executor/remaining.hpp"
 #include "actors/executor/station_plan.hpp"
-#include "actors/failsafe/senses.hpp"
+#include "actors/failsafe/first_look.hpp"
 #include "actors/failsafe/vehicle_texts.hpp"
 #include "io/fields/field_table.hpp"
 #include "io/fields/json_text.hpp"

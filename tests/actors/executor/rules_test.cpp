@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/mavlink/plan_checksum.hpp"
+#include "io/mavlink/plan_meaning.hpp"
 #include "tests/actors/executor/flight_world.hpp"
 #include "tests/support/vehicle_modes.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "actors/executor/station_plan.hpp"
 #include "io/mavlink/enums.hpp"
-#include "io/mavlink/plan_checksum.hpp"
+#include "io/mavlink/plan_meaning.hpp"
 #include "tests/actors/executor/station_plans.hpp"
 
 namespace godwit::executor {

@@ -2,7 +2,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "actors/failsafe/battery_filter.hpp"
-#include "actors/failsafe/instant.hpp"
+#include "actors/failsafe/events.hpp"
 
 namespace battery_filter_test {
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "actors/failsafe/events.hpp"
 #include "actors/failsafe/fence_watch.hpp"
-#include "actors/failsafe/instant.hpp"
 #include "tests/actors/failsafe/positions.hpp"
 
 namespace fence_watch_test {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "actors/failsafe/events.hpp"
 #include "actors/failsafe/flight_watch.hpp"
-#include "actors/failsafe/instant.hpp"
 
 namespace flight_watch_test {
 

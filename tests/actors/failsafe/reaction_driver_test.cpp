@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "actors/failsafe/instant.hpp"
+#include "actors/failsafe/events.hpp"
 #include "actors/failsafe/reaction_driver.hpp"
 
 namespace reaction_driver_test {

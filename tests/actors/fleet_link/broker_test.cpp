@@ -19,7 +19,7 @@
 #include "actors/fleet_link/actor.hpp"
 #include "actors/fleet_link/mqtt_port.hpp"
 #include "io/fields/json_text.hpp"
-#include "programs/godwitd/hub_reader.hpp"
+#include "programs/godwitd/view_actors.hpp"
 #include "runtime/process.hpp"
 #include "tests/support/mosquitto.hpp"
 #include "tests/support/mqtt_peer.hpp"

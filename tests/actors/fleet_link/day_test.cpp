@@ -14,7 +14,7 @@
 
 #include "actors/fleet_link/actor.hpp"
 #include "actors/fleet_link/news.hpp"
-#include "runtime/mail_view.hpp"
+#include "runtime/address/mail_view.hpp"
 #include "runtime/process.hpp"
 #include "tests/actors/fleet_link/fleet_world.hpp"
 

@@ -38,7 +38,7 @@ struct fleet_world {
     sync();
   }
 
-  [[nodiscard]] fleet_link::instant now() const { return {now_ns, wall_began_ns + now_ns}; }
+  [[nodiscard]] godwit::instant now() const { return {now_ns, wall_began_ns + now_ns}; }
 
   void apply(const fleet_link::durable_core::event& what) {
     for (const auto& each : fleet_link::durable_core::apply(state, what, now().wall_ns))

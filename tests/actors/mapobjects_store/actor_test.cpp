@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "actors/mapobjects_store/actor.hpp"
-#include "programs/godwit-drill/flight_simulation/stepped_map.hpp"
+#include "programs/godwit-drill/flight_simulation/daemon_process.hpp"
 #include "runtime/simulation/simulation.hpp"
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
 

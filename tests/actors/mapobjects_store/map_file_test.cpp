@@ -2,7 +2,6 @@
 
 #include <fstream>
 
-#include "actors/mapobjects_store/schema.hpp"
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
 
 namespace godwit::mapobjects_store {

@@ -8,8 +8,7 @@
 
 #include "actors/domain/geo/local_projection.hpp"
 #include "actors/mapobjects_store/garbage.hpp"
-#include "actors/mapobjects_store/ignore_list.hpp"
-#include "actors/mapobjects_store/load_finish.hpp"
+#include "actors/mapobjects_store/map_load.hpp"
 #include "actors/mapobjects_store/sightings.hpp"
 
 namespace godwit::tests {

@@ -30,7 +30,7 @@ inline const std::string scan_mission = "7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42";
 struct scan_world {
   explicit scan_world(scan_controller::settings configured = {}) : core(std::move(configured)) {}
 
-  [[nodiscard]] scan_controller::instant now() const { return {now_ns, wall_began_ns + now_ns}; }
+  [[nodiscard]] godwit::instant now() const { return {now_ns, wall_began_ns + now_ns}; }
   void apply(const scan_controller::fact& each) {
     for (auto& effect : scan_controller::durable_core::apply(state, each, now().wall_ns))
       effects.push_back(std::move(effect));

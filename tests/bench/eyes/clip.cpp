@@ -16,8 +16,7 @@
 
 #include "programs/godwit-eyes/detection/own_motion.hpp"
 #include "programs/godwit-eyes/look/drawing.hpp"
-#include "programs/godwit-eyes/look/picture_reader.hpp"
-#include "programs/godwit-eyes/look/png.hpp"
+#include "programs/godwit-eyes/look/look_files.hpp"
 #include "programs/godwit-sim/camera/random.hpp"
 #include "tests/support/eyes/naive_detector.hpp"
 

@@ -13,9 +13,9 @@
 #include <Eigen/LU>
 
 #include "programs/godwit-eyes/detection/detector.hpp"
-#include "programs/godwit-eyes/ground/ground_point.hpp"
+#include "programs/godwit-eyes/ground/sight.hpp"
 #include "programs/godwit-eyes/look/drawing.hpp"
-#include "programs/godwit-eyes/look/png.hpp"
+#include "programs/godwit-eyes/look/look_files.hpp"
 #include "programs/godwit-sim/camera/ground_painter.hpp"
 #include "programs/godwit-sim/camera/random.hpp"
 #include "tests/support/eyes/naive_detector.hpp"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "programs/godwit-sim/camera/suite.hpp"
 #include "tests/support/eyes/score.hpp"
+#include "tests/support/eyes/suite.hpp"
 
 namespace godwit::eyes::test {
 

@@ -11,7 +11,7 @@
 
 #include <tl/expected.hpp>
 
-#include "programs/godwit-sim/camera/suite.hpp"
+#include "tests/support/eyes/suite.hpp"
 
 namespace godwit::eyes::test {
 

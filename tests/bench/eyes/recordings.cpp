@@ -13,8 +13,7 @@
 #include <opencv2/video/tracking.hpp>
 
 #include "programs/godwit-eyes/look/drawing.hpp"
-#include "programs/godwit-eyes/look/picture_reader.hpp"
-#include "programs/godwit-eyes/look/png.hpp"
+#include "programs/godwit-eyes/look/look_files.hpp"
 #include "tests/bench/eyes/measure.hpp"
 
 namespace godwit::eyes::test {

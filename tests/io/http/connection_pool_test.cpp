@@ -1,4 +1,4 @@
-#include "io/http/connection_pool.hpp"
+#include "io/http/exchange.hpp"
 
 #include <boost/asio/write.hpp>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "io/http/redaction.hpp"
+#include "io/http/exchange.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "io/link/link_thread.hpp"
 #include "tests/io/link/far_ends.hpp"
 #include "tests/io/link/watcher.hpp"
 

@@ -1,5 +1,5 @@
 // serial_opener and stream_link together, over pseudo-terminals.
-#include "io/link/serial_opener.hpp"
+#include "io/link/serial_port.hpp"
 
 #include <thread>
 

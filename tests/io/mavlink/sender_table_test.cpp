@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "io/mavlink/sender_table.hpp"
+#include "io/mavlink/scanner.hpp"
 
 namespace godwit::io::mavlink {
 namespace sender_table_test {

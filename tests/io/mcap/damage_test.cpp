@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "io/mcap/repair.hpp"
-#include "io/mcap/scan.hpp"
 #include "tests/io/mcap/mcap_fixture.hpp"
 
 namespace godwit::io::mcap::test {

@@ -53,7 +53,7 @@ private:
   std::map<channel_id, std::string> topics_;
 };
 
-bool is_last(const stream_reader::item& item) {
+bool is_last(const strict_mcap_reader::item& item) {
   return std::holds_alternative<end_of_file>(item) || std::holds_alternative<truncated>(item);
 }
 
@@ -62,7 +62,7 @@ bool is_last(const stream_reader::item& item) {
 reading read_all(const byte_source& source, read_limits limits) {
   reading seen;
   collector collect{seen};
-  stream_reader reader{source, limits};
+  strict_mcap_reader reader{source, limits};
   for (;;) {
     const auto item = reader.next();
     if (!item) {

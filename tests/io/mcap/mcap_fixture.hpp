@@ -8,7 +8,7 @@
 
 #include "io/mcap/channel_registry.hpp"
 #include "io/mcap/segment_writer.hpp"
-#include "io/mcap/stream_reader.hpp"
+#include "tests/support/strict_mcap_reader.hpp"
 
 namespace godwit::io::mcap::test {
 

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "io/mcap/scan.hpp"
 #include "tests/io/mcap/mcap_fixture.hpp"
 
 namespace godwit::io::mcap::test {

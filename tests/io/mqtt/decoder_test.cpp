@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "io/mqtt/utf8.hpp"
+#include "io/mqtt/cursor.hpp"
 #include "tests/support/mqtt_bytes.hpp"
 
 namespace godwit::io::mqtt {

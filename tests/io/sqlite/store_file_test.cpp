@@ -1,10 +1,12 @@
-#include "io/sqlite/store_file.hpp"
-
 #include <fstream>
 
+#include <gtest/gtest.h>
+
+#include "io/sqlite/store_file.hpp"
 #include "tests/io/sqlite/store_fixture.hpp"
 
 namespace godwit::tests {
+
 namespace store_file_test {
 
 using namespace io::sqlite;
@@ -114,4 +116,91 @@ TEST_F(store_file_test, each_fault_while_it_is_made_leaves_nothing_or_a_whole_fi
 }
 
 } // namespace store_file_test
+
+} // namespace godwit::tests
+
+namespace godwit::io::sqlite {
+
+namespace migration_test {
+
+const std::vector<std::string> steps{"CREATE TABLE t(a)", "ALTER TABLE t ADD b; INSERT INTO t VALUES (1, 2)"};
+
+TEST(migration, only_the_steps_above_the_version_run) {
+  auto db = database::open(":memory:", {.mode = open_mode::create});
+  ASSERT_TRUE(db && db->exec("CREATE TABLE t(a)"));
+  ASSERT_TRUE(run_migrations(*db, steps, 1, "PRAGMA user_version = 2"));
+  EXPECT_EQ(db->query_integer("SELECT b FROM t").value(), 2);
+  EXPECT_EQ(db->query_integer("PRAGMA user_version").value(), 2);
+}
+
+TEST(migration, one_that_fails_leaves_everything_as_it_was) {
+  auto db = database::open(":memory:", {.mode = open_mode::create});
+  ASSERT_TRUE(db);
+  EXPECT_FALSE(run_migrations(*db, {steps[0], "INSERT INTO nowhere VALUES (1)"}, 0, "PRAGMA user_version = 2"));
+  EXPECT_EQ(db->query_integer("SELECT count(*) FROM sqlite_schema").value(), 0);
+  EXPECT_EQ(db->query_integer("PRAGMA user_version").value(), 0);
+}
+
+} // namespace migration_test
+
+} // namespace godwit::io::sqlite
+
+namespace godwit::tests {
+
+namespace lock_file_test {
+
+using lock_file_test = store_test;
+
+using namespace io::sqlite;
+
+TEST_F(lock_file_test, one_holds_it_and_the_other_hears_who) {
+  const auto first = open();
+  const auto second = lock_file::acquire(note_format().kind, path());
+  ASSERT_FALSE(second);
+  EXPECT_EQ(second.error().code, store_errc::locked);
+  EXPECT_NE(second.error().what.find(std::to_string(::getpid())), std::string::npos) << second.error().what;
+}
+
+TEST_F(lock_file_test, it_is_given_back_at_the_end_and_the_file_stays) {
+  { const auto first = open(); }
+  EXPECT_TRUE(std::filesystem::exists(path() + ".lock"));
+  EXPECT_TRUE(lock_file::acquire(note_format().kind, path()));
+}
+
+TEST_F(lock_file_test, a_symbolic_link_and_a_removed_lock_file_let_nobody_else_in) {
+  const auto first = open();
+  const auto link = path() + ".link";
+  std::filesystem::create_symlink(path(), link);
+  auto wanted = options();
+  wanted.path = link;
+  const auto second = open_for_writing(note_format(), wanted);
+  ASSERT_FALSE(second);
+  EXPECT_EQ(second.error().code, store_errc::locked);
+  std::filesystem::remove(path() + ".lock");
+  const auto third = open_for_writing(note_format(), options());
+  ASSERT_FALSE(third);
+  EXPECT_EQ(third.error().code, store_errc::locked);
+}
+
+TEST_F(lock_file_test, a_file_with_two_names_is_refused_under_both) {
+  { const auto first = open(); }
+  const auto link = path() + ".link";
+  std::filesystem::create_hard_link(path(), link);
+  for (const auto& each : {path(), link}) {
+    auto wanted = options();
+    wanted.path = each;
+    const auto refused = open_for_writing(note_format(), wanted);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().what.find("2 names"), std::string::npos) << refused.error().what;
+  }
+}
+
+TEST_F(lock_file_test, a_folder_that_is_not_there_is_an_error) {
+  const auto refused = lock_file::acquire(note_format().kind, path());
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().what.find(path() + ".lock"), std::string::npos) << refused.error().what;
+}
+
+} // namespace lock_file_test
+
 } // namespace godwit::tests

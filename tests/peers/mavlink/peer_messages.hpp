@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "io/mavlink/messages.hpp"
-#include "io/mavlink/messages/mission_write_partial_list.hpp"
+#include "io/mavlink/messages/mission_transfer.hpp"
 #include "io/mavlink/messages/request_data_stream.hpp"
 #include "io/mavlink/signing/secret_key.hpp"
 

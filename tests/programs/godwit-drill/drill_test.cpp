@@ -5,9 +5,7 @@
 #include <set>
 
 #include "io/sqlite/database.hpp"
-#include "programs/godwit-drill/crash_plan.hpp"
-#include "programs/godwit-drill/drill_messages.hpp"
-#include "programs/godwit-drill/report.hpp"
+#include "programs/godwit-drill/drill_actors.hpp"
 #include "programs/godwit-drill/runtime_drill.hpp"
 #include "runtime/journal/journal_reader.hpp"
 #include "tests/runtime/journal/journal_fixture.hpp"

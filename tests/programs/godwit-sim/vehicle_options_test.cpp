@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "programs/godwit-sim/connection_hints.hpp"
-
 namespace godwit::sim {
 namespace vehicle_options_test {
 

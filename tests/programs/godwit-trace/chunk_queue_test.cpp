@@ -1,4 +1,4 @@
-#include "programs/godwit-trace/chunk_queue.hpp"
+#include "programs/godwit-trace/link_session.hpp"
 
 #include <gtest/gtest.h>
 #include <poll.h>

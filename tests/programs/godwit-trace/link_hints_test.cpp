@@ -1,4 +1,4 @@
-#include "programs/godwit-trace/link_hints.hpp"
+#include "programs/godwit-trace/link_session.hpp"
 
 #include <gtest/gtest.h>
 

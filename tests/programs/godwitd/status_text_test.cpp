@@ -1,6 +1,12 @@
-#include "programs/godwitd/status_text.hpp"
+#include <algorithm>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "programs/common/printable.hpp"
+#include "programs/godwitd/status_text.hpp"
 
 namespace status_text_test {
 
@@ -177,3 +183,99 @@ TEST(status_text, the_broker_is_named_with_what_waits_for_it_and_why_there_is_no
 }
 
 } // namespace status_text_test
+
+namespace operator_text_test {
+
+using namespace godwit::daemon;
+
+using nlohmann::json;
+
+TEST(operator_text, a_row_of_the_audit_says_when_who_what_and_what_came_of_it) {
+  const json row{{"at_ns", 1'800'000'000'900'000'000},
+                 {"who", {{"name", "anna"}, {"role", "operator"}, {"session", "s7"}}},
+                 {"what", "start"},
+                 {"outcome", "refused"},
+                 {"reason", "not ready"},
+                 {"count", 2}};
+  EXPECT_EQ(audit_text({{"rows", {row}}}),
+            "2027-01-15T08:00:00Z  anna (operator, s7): start: refused, 2 times (not ready)");
+  EXPECT_EQ(audit_text({{"rows", json::array()}}), "there are no entries");
+  auto numbered = row;
+  numbered["number"] = 1'200;
+  EXPECT_EQ(audit_text({{"rows", {numbered}}, {"has_older", true}}).substr(0, 46),
+            "older rows: godwitd ctl audit --before 1200\n20");
+}
+
+TEST(operator_text, a_stranger_is_shown_as_one) {
+  const json row{{"at_ns", 0}, {"who", {{"name", "mallory"}}}, {"what", "start"}, {"outcome", "no_session"}};
+  EXPECT_EQ(audit_text({{"rows", {row}}}), "1970-01-01T00:00:00Z  mallory (unknown): start: no_session");
+}
+
+TEST(operator_text, who_has_control_is_said) {
+  EXPECT_EQ(control_text({{"holder", "anna"}}), "anna has control");
+  EXPECT_EQ(control_text({{"holder", ""}}), "control is free");
+  const json anna{{"name", "anna"}, {"role", "operator"}, {"session", "s7"}};
+  EXPECT_EQ(operators_line({{"control", {{"who", anna}}}, {"sessions", {{{"who", anna}}}}}),
+            "anna has control, anna (operator, s7)");
+  EXPECT_EQ(operators_line({{"control", nullptr}, {"sessions", json::array()}}), "control is free");
+}
+
+} // namespace operator_text_test
+
+namespace shown_answer_test {
+
+// What strangers have written into names, reasons and sentences makes no line and turns none, in each text that
+// `godwitd ctl` shows.
+
+using namespace godwit::daemon;
+
+using nlohmann::json;
+
+// An answer to each question, with TEXT wherever somebody else's may stand.
+json answer_with(const std::string& text) {
+  const json who{{"name", text}, {"role", text}, {"session", text}};
+  const json row{{"at_ns", 0}, {"who", who}, {"what", text}, {"outcome", text}, {"reason", text}};
+  const json point{{"number", 1}, {"class_name", text}, {"by", text}, {"reason", text}};
+  return {{"ok", true},
+          {"rows", {row, row}},
+          {"holder", text},
+          {"shown", {point}},
+          {"confirmed", {point}},
+          {"control", {{"who", who}}},
+          {"sessions", {{{"who", who}}}},
+          {"operators", {{"control", {{"who", who}}}, {"sessions", {{{"who", who}}}}}},
+          {"service", {{"connection", text}, {"last_error", text}, {"refused", text}, {"refused_sample", text}}},
+          {"flight", {{"sentence", text}, {"mission_id", text}, {"mode", text}}},
+          {"missions", {{"list", {{{"mission_id", text}, {"origin", text}, {"place", text}, {"reason", text}}}}}},
+          {"fleet", {{"broker", text}, {"vehicle", text}, {"sentence", text}}},
+          {"vehicle", {{"phase", text}, {"reason", text}}},
+          {"ground", {{"reason", text}, {"error", text}}},
+          {"eyes", {{"sentence", text}}},
+          {"map", {{"error", text}}}};
+}
+
+std::string all_texts(const json& answer) {
+  std::string result;
+  for (auto* const text : {audit_text, control_text, status_text, points_text})
+    result += text(answer) + "\n";
+  return result;
+}
+
+RC_GTEST_PROP(shown_answer_property, no_text_of_a_stranger_makes_a_line_or_turns_one, ()) {
+  const std::vector<std::string> vices{"\n",           "\r",       "\x1b[2J", "\a",           "\xe2\x80\xae",
+                                       "\xe2\x81\xa7", "\xc2\x9b", "\x7f",    "\xe2\x80\xa8", std::string(1, '\0')};
+  std::string text;
+  for (const auto& each : *rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(vices)))
+    text += "error: godwitd: " + each;
+  text += *rc::gen::elementOf(vices);
+  const auto shown = all_texts(shown_answer(answer_with(text)));
+  RC_ASSERT(std::ranges::count(shown, '\n') == std::ranges::count(all_texts(answer_with("x")), '\n'));
+  RC_ASSERT(godwit::programs::printable(shown, "") == shown);
+}
+
+TEST(shown_answer, numbers_and_names_of_members_stay) {
+  const json answer{{"a\n", {1, true, nullptr, "b\nc"}}};
+  EXPECT_EQ(shown_answer(answer), (json{{"a\n", {1, true, nullptr, "b\\x0ac"}}}));
+}
+
+} // namespace shown_answer_test

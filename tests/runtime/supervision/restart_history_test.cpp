@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "runtime/supervision/restart_history.hpp"
+#include "runtime/supervision/supervision_core.hpp"
 
 namespace restart_history_test {
 

@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 #include "runtime/random.hpp"
-#include "runtime/trace/byte_ring.hpp"
+#include "runtime/trace/ring_trace.hpp"
 
 namespace byte_ring_test {
 

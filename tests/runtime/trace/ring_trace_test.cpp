@@ -17,11 +17,11 @@
 
 #include "io/mcap/byte_source.hpp"
 #include "io/mcap/repair.hpp"
-#include "io/mcap/stream_reader.hpp"
 #include "runtime/define_message.hpp"
 #include "runtime/trace/ring_trace.hpp"
 #include "runtime/trace/trace_renderer.hpp"
 #include "tests/runtime/journal/journal_fixture.hpp"
+#include "tests/support/strict_mcap_reader.hpp"
 
 namespace ring_trace_test {
 
@@ -73,7 +73,7 @@ void read_segment(const std::filesystem::path& path, trace_contents& into) {
   io::mcap::file_source source;
   ASSERT_TRUE(source.open(path));
   EXPECT_TRUE(io::mcap::has_end(source).value_or(false)) << path << " has no summary";
-  io::mcap::stream_reader reader(source);
+  io::mcap::strict_mcap_reader reader(source);
   std::map<io::mcap::schema_id, std::string> names;
   std::map<io::mcap::channel_id, std::string> topics;
   for (;;) {
@@ -104,7 +104,7 @@ bool has_message(const std::filesystem::path& path) {
   io::mcap::file_source source;
   if (!source.open(path))
     return false;
-  io::mcap::stream_reader reader(source);
+  io::mcap::strict_mcap_reader reader(source);
   for (;;) {
     const auto item = reader.next();
     if (!item || std::holds_alternative<io::mcap::truncated>(*item))

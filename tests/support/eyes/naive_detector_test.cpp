@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "programs/godwit-sim/camera/suite.hpp"
 #include "tests/support/eyes/score.hpp"
+#include "tests/support/eyes/suite.hpp"
 
 namespace godwit::eyes::test {
 namespace naive_detector_test {

@@ -2,8 +2,7 @@
 // for.
 #pragma once
 
-#include "programs/godwit-eyes/ground/camera_parameters.hpp"
-#include "programs/godwit-eyes/ground/camera_pose.hpp"
+#include "programs/godwit-eyes/ground/camera.hpp"
 #include "programs/godwit-sim/camera/view.hpp"
 
 namespace godwit::eyes::test {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "programs/godwit-eyes/detection/detector.hpp"
-#include "programs/godwit-sim/camera/truth.hpp"
+#include "programs/godwit-sim/camera/generator.hpp"
 
 namespace godwit::eyes::test {
 

@@ -8,7 +8,7 @@
 #include "actors/domain/mission/convert/item_export.hpp"
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/frame_meaning.hpp"
-#include "io/mavlink/waypoint_file/waypoint_writer.hpp"
+#include "io/mavlink/waypoint_file/waypoint_file.hpp"
 #include "runtime/assert.hpp"
 
 namespace godwit::mission {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "io/mavlink/plan_checksum.hpp"
+#include "io/mavlink/plan_meaning.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/mission_progress.hpp"
 
 namespace godwit::sim {

@@ -11,7 +11,9 @@
 // the autopilot is known to do otherwise. Thread: one at a time. Source: MAVLink command protocol, and recordings.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <random>
 #include <string_view>
@@ -19,12 +21,52 @@
 #include <vector>
 
 #include "actors/ground_port/mission_server/server.hpp"
+#include "actors/ground_port/vehicle_role/current_report.hpp"
+#include "actors/ground_port/vehicle_role/message_schedule.hpp"
 #include "actors/ground_port/vehicle_role/order.hpp"
-#include "programs/godwit-sim/vehicle/autopilot/line_streams.hpp"
-#include "programs/godwit-sim/vehicle/autopilot/refused_orders.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/names.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/telemetry.hpp"
 
 namespace godwit::sim {
+
+// What the autopilot sends by itself on one line: its streams and MISSION_CURRENT, each as often as was asked for on
+// that line. World time. Thread: one at a time.
+struct line_streams {
+  role::message_schedule messages;
+  role::current_report current;
+
+  [[nodiscard]] std::int64_t next_due_ns() const { return std::min(messages.next_due_ns(), current.next_due_ns()); }
+};
+
+// A fault on demand: commands that the vehicle refuses, whatever it would have done. Thread: one at a time.
+class refused_orders {
+public:
+  // TIMES below 0: from now on; 0: no longer. Bounded by the number of commands there are.
+  void refuse(std::uint16_t command, std::uint8_t result, int times) {
+    if (times == 0)
+      refused_.erase(command);
+    else
+      refused_[command] = {result, times};
+  }
+
+  // The answer to COMMAND if it is refused this time.
+  [[nodiscard]] std::optional<std::uint8_t> take(std::uint16_t command) {
+    const auto found = refused_.find(command);
+    if (found == refused_.end())
+      return std::nullopt;
+    const auto result = found->second.result;
+    if (found->second.times > 0 && --found->second.times == 0)
+      refused_.erase(found);
+    return result;
+  }
+
+private:
+  struct entry {
+    std::uint8_t result = 0;
+    int times = 0;
+  };
+  std::map<std::uint16_t, entry> refused_;
+};
 
 // What an autopilot works with. All of it outlives the autopilot.
 struct equipment {
@@ -180,8 +222,6 @@ private:
   answer loiter(const role::order& what);
   answer change_speed(const role::order& what);
   answer set_home(const role::order& what);
-
-  // message_orders.cpp
   answer request_message(const role::order& what);
   answer set_message_interval(const role::order& what);
   answer get_message_interval(const role::order& what);

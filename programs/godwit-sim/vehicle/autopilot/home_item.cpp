@@ -1,6 +1,6 @@
 #include "programs/godwit-sim/vehicle/autopilot/home_item.hpp"
 
-#include "programs/godwit-sim/vehicle/autopilot/units.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/telemetry.hpp"
 
 namespace godwit::sim {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "io/mavlink/messages/current_mode.hpp"
+#include "io/mavlink/messages/heartbeat.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/mission_progress.hpp"
 #include "programs/godwit-sim/vehicle/flight/item_place.hpp"
 #include "programs/godwit-sim/vehicle/flight/mission_run.hpp"

@@ -17,9 +17,7 @@
 #include <string_view>
 
 #include "programs/godwit-sim/vehicle/autopilot/autopilot.hpp"
-#include "programs/godwit-sim/vehicle/autopilot/repeated_reached.hpp"
-#include "programs/godwit-sim/vehicle/autopilot/stale_messages.hpp"
-#include "programs/godwit-sim/vehicle/autopilot/stick_loss.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/px4_behaviour.hpp"
 
 namespace godwit::sim {
 

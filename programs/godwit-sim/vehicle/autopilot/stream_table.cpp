@@ -3,7 +3,7 @@
 #include <array>
 
 #include "io/mavlink/messages.hpp"
-#include "io/mavlink/messages/current_mode.hpp"
+#include "io/mavlink/messages/heartbeat.hpp"
 
 namespace godwit::sim {
 

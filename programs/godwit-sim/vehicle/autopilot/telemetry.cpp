@@ -6,8 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "io/mavlink/messages/current_mode.hpp"
-#include "programs/godwit-sim/vehicle/autopilot/units.hpp"
+#include "io/mavlink/messages/heartbeat.hpp"
 #include "runtime/assert.hpp"
 
 namespace godwit::sim {

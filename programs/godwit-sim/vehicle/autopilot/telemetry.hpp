@@ -3,10 +3,13 @@
 // Thread: one at a time. Source: the messages' definitions; values of fields that mean nothing here as recorded.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
+#include "io/mavlink/frame_meaning.hpp"
 #include "io/mavlink/messages.hpp"
-#include "programs/godwit-sim/vehicle/autopilot/condition.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/mode_table.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/names.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/outlet.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/traits.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/world_clock.hpp"
@@ -14,6 +17,24 @@
 #include "programs/godwit-sim/vehicle/world/battery.hpp"
 
 namespace godwit::sim {
+
+// How the autopilot is: what a HEARTBEAT tells and what follows from it. Thread: values.
+struct condition {
+  const flight_mode* mode = nullptr;
+  const flight_mode* intended = nullptr; // by people; a failsafe of its own changes MODE alone
+  bool is_armed = false;
+  bool has_position = true;    // from satellites
+  bool is_ready = true;        // has been up for as long as it needs before it flies
+  bool has_estimate = true;    // its estimator knows where it is: some time after a start, and while it has a position
+  bool is_plan_armable = true; // by its own checks
+  bool is_battery_empty = false;
+  bool is_home_fixed = false;        // by a command: arming moves it no longer
+  bool beats_at_mode_change = false; // a HEARTBEAT at once, besides those of each second
+  std::int64_t started_world_ns = 0; // its own clock is 0 then
+
+  [[nodiscard]] bool is_in(mode_kind kind) const { return mode->kind == kind; }
+  [[nodiscard]] std::int64_t up_ns(std::int64_t world_ns) const { return world_ns - started_world_ns; }
+};
 
 class telemetry {
 public:
@@ -53,5 +74,10 @@ private:
   position frozen_;
   std::uint32_t pings_ = 0;
 };
+
+// Units of MAVLink's integers. Thread: pure.
+[[nodiscard]] inline std::int32_t e7(double degrees) {
+  return static_cast<std::int32_t>(std::lround(degrees * io::mavlink::units_of(io::mavlink::coordinate_kind::global)));
+}
 
 } // namespace godwit::sim

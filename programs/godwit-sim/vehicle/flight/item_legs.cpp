@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "programs/godwit-sim/vehicle/flight/item_place.hpp"
-#include "programs/godwit-sim/vehicle/flight/mission_commands.hpp"
 
 namespace godwit::sim {
 

@@ -23,7 +23,7 @@
 #include <tl/expected.hpp>
 
 #include "io/mavlink/messages/mission_transfer.hpp"
-#include "programs/godwit-sim/vehicle/flight/leg.hpp"
+#include "programs/godwit-sim/vehicle/flight/maneuver.hpp"
 #include "programs/godwit-sim/vehicle/flight/mover.hpp"
 
 namespace godwit::sim {

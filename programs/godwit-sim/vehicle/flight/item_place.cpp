@@ -7,7 +7,6 @@
 
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/frame_meaning.hpp"
-#include "programs/godwit-sim/vehicle/flight/mission_commands.hpp"
 
 namespace godwit::sim {
 

@@ -1,10 +1,12 @@
 // Where an item of a mission lies. Thread: pure. Source: MAV_FRAME and MISSION_ITEM_INT of MAVLink's common.xml.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include <tl/expected.hpp>
 
+#include "io/mavlink/enums.hpp"
 #include "io/mavlink/messages/mission_transfer.hpp"
 #include "programs/godwit-sim/vehicle/world/position.hpp"
 
@@ -21,5 +23,28 @@ struct item_place {
 // altitude of 0 is none either. The error is a sentence for people: no such frame, or not on Earth.
 [[nodiscard]] tl::expected<item_place, std::string> place_of(const io::mavlink::mission_item_int& item,
                                                              const position& home, const position& here);
+
+// The commands that flight knows as items of a mission, as the numbers that items hold. Thread: constants.
+constexpr auto nav_waypoint = io::mavlink::number(io::mavlink::mav_cmd::nav_waypoint);
+constexpr auto nav_loiter_unlim = io::mavlink::number(io::mavlink::mav_cmd::nav_loiter_unlim);
+constexpr auto nav_loiter_turns = io::mavlink::number(io::mavlink::mav_cmd::nav_loiter_turns);
+constexpr auto nav_loiter_time = io::mavlink::number(io::mavlink::mav_cmd::nav_loiter_time);
+constexpr auto nav_return_to_launch = io::mavlink::number(io::mavlink::mav_cmd::nav_return_to_launch);
+constexpr auto nav_land = io::mavlink::number(io::mavlink::mav_cmd::nav_land);
+constexpr auto nav_takeoff = io::mavlink::number(io::mavlink::mav_cmd::nav_takeoff);
+constexpr auto nav_spline_waypoint = io::mavlink::number(io::mavlink::mav_cmd::nav_spline_waypoint);
+constexpr auto nav_continue_and_change_alt = io::mavlink::number(io::mavlink::mav_cmd::nav_continue_and_change_alt);
+constexpr auto nav_loiter_to_alt = io::mavlink::number(io::mavlink::mav_cmd::nav_loiter_to_alt);
+constexpr auto nav_roi = io::mavlink::number(io::mavlink::mav_cmd::nav_roi);
+constexpr auto nav_vtol_takeoff = io::mavlink::number(io::mavlink::mav_cmd::nav_vtol_takeoff);
+constexpr auto nav_vtol_land = io::mavlink::number(io::mavlink::mav_cmd::nav_vtol_land);
+constexpr auto nav_payload_place = io::mavlink::number(io::mavlink::mav_cmd::nav_payload_place);
+constexpr auto nav_delay = io::mavlink::number(io::mavlink::mav_cmd::nav_delay);
+constexpr auto last_nav_command = io::mavlink::number(io::mavlink::mav_cmd::nav_last);
+constexpr auto condition_delay = io::mavlink::number(io::mavlink::mav_cmd::condition_delay);
+constexpr auto do_jump = io::mavlink::number(io::mavlink::mav_cmd::do_jump);
+constexpr auto do_change_speed = io::mavlink::number(io::mavlink::mav_cmd::do_change_speed);
+constexpr auto do_set_home = io::mavlink::number(io::mavlink::mav_cmd::do_set_home);
+constexpr auto do_land_start = io::mavlink::number(io::mavlink::mav_cmd::do_land_start);
 
 } // namespace godwit::sim

@@ -7,6 +7,7 @@
 #include "programs/godwit-sim/vehicle/world/angle.hpp"
 
 namespace godwit::sim {
+
 namespace {
 
 // A multirotor within this of an altitude is there.

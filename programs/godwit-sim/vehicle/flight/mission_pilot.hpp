@@ -13,12 +13,43 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
 
-#include "programs/godwit-sim/vehicle/flight/happening.hpp"
+#include "io/mavlink/messages/mission_transfer.hpp"
+#include "programs/godwit-sim/vehicle/flight/craft.hpp"
 #include "programs/godwit-sim/vehicle/flight/maneuver.hpp"
 #include "programs/godwit-sim/vehicle/flight/mission_run.hpp"
+#include "programs/godwit-sim/vehicle/world/position.hpp"
 
 namespace godwit::sim {
+
+// The DO commands of a mission that change something here. Thread: pure.
+
+// DO_CHANGE_SPEED changes HOW_FAST, DO_SET_HOME changes HOME; jumps, delays, marks, cameras, servos and the like leave
+// all as it is. The answer, if any, says why it was of no use.
+[[nodiscard]] std::optional<std::string> carry_out(const io::mavlink::mission_item_int& command, const craft& what,
+                                                   const position& here, pace& how_fast, position& home);
+
+// What happens on the way, for who tells the ground about it. Thread: values.
+struct took_off {};
+struct landed {};   // touched the ground
+struct arrived {};  // a `go`, a `climb` or a rover's `come_back` is done
+struct item_begun { // the current item is a new one
+  int sequence = 0;
+};
+struct item_reached { // a NAV item is done; before the next one begins
+  int sequence = 0;
+};
+struct item_skipped { // it is of no use here: an unknown DO command, a NAV command that this craft can not do
+  int sequence = 0;
+  std::string reason; // for a STATUSTEXT
+};
+struct mission_completed {};
+using happening = std::variant<took_off, landed, arrived, item_begun, item_reached, item_skipped, mission_completed>;
+using happenings = std::vector<happening>;
 
 class mission_pilot {
 public:

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-#include "programs/godwit-sim/vehicle/flight/mission_commands.hpp"
+#include "programs/godwit-sim/vehicle/flight/item_place.hpp"
 #include "runtime/assert.hpp"
 
 namespace godwit::sim {

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "programs/godwit-sim/vehicle/world/multirotor_motion.hpp"
-#include "programs/godwit-sim/vehicle/world/rover_motion.hpp"
+#include "programs/godwit-sim/vehicle/world/motions.hpp"
 
 namespace godwit::sim {
 namespace {

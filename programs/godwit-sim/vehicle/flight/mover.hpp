@@ -6,8 +6,8 @@
 
 #include "programs/godwit-sim/vehicle/flight/craft.hpp"
 #include "programs/godwit-sim/vehicle/world/body.hpp"
-#include "programs/godwit-sim/vehicle/world/fixed_wing_motion.hpp"
-#include "programs/godwit-sim/vehicle/world/way.hpp"
+#include "programs/godwit-sim/vehicle/world/motions.hpp"
+#include "programs/godwit-sim/vehicle/world/nearby.hpp"
 
 namespace godwit::sim {
 

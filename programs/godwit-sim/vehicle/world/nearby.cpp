@@ -5,6 +5,7 @@
 #include "programs/godwit-sim/vehicle/world/angle.hpp"
 
 namespace godwit::sim {
+
 namespace {
 
 // WGS84: half the axis at the equator, and the square of the eccentricity.
@@ -58,6 +59,25 @@ position stepped(const position& from, double north_m, double east_m) {
   const auto here = curvature_at(from.latitude_deg);
   const double longitude_deg = from.longitude_deg + east_m / here.parallel_m / degree;
   return {from.latitude_deg + north_m / here.meridian_m / degree, turn_of(longitude_deg), from.altitude_m};
+}
+
+namespace {
+
+constexpr int answers_for_each_solution = 50; // a second at 50 steps
+// Nearer than this, which happens close to a pole only, each step counts.
+constexpr double min_distance_to_reuse_m = 5'000;
+
+} // namespace
+
+course way::from(const position& here) {
+  if (is_nearby(here, to_))
+    return course_nearby(here, to_);
+  if (answers_left_ == 0) {
+    exact_ = between(here, to_);
+    answers_left_ = exact_.distance_m > min_distance_to_reuse_m ? answers_for_each_solution : 1;
+  }
+  --answers_left_;
+  return exact_;
 }
 
 } // namespace godwit::sim

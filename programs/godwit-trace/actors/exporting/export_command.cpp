@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <system_error>
 
-#include "programs/godwit-trace/actors/delivery_filter.hpp"
 #include "programs/godwit-trace/actors/exporting/export_format.hpp"
 #include "programs/godwit-trace/actors/trace_arguments.hpp"
 #include "programs/godwit-trace/commands.hpp"

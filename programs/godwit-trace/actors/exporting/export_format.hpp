@@ -10,7 +10,6 @@
 #include <string>
 
 #include "runtime/trace/reading/delivery.hpp"
-#include "runtime/trace/reading/name_table.hpp"
 
 namespace godwit::trace_tool {
 

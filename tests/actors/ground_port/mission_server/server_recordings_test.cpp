@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "io/mavlink/codec.hpp"
-#include "io/mavlink/message_list.hpp"
+#include "io/mavlink/messages.hpp"
 #include "io/mavlink/messages/heartbeat.hpp"
 #include "io/mavlink/tlog/tlog_reader.hpp"
 #include "tests/actors/ground_port/mission_server/server_fixture.hpp"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "actors/ground_port/message_allowlist.hpp"
+#include "actors/ground_port/forward_gate.hpp"
 #include "io/mavlink/ids.hpp"
 
 namespace godwit::ground_port::passing {

@@ -1,14 +1,14 @@
-#include "io/mavlink/tlog/tlog_reader.hpp"
-
 #include <algorithm>
 #include <functional>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "io/mavlink/tlog/tlog_reader.hpp"
 #include "tests/io/mavlink/tlog/tlog_fixture.hpp"
 
 namespace godwit::io::mavlink::test {
+
 namespace tlog_reader_test {
 
 byte_buffer heartbeat_bytes() { return from_hex("fd09000000ffbe000000000000001208000403211a"); }
@@ -255,4 +255,87 @@ RC_GTEST_PROP(mavlink_tlog_reader_property, no_right_frame_is_lost, ()) {
 }
 
 } // namespace tlog_reader_test
+
+namespace frame_shape_test {
+
+byte_buffer plain_heartbeat() { return from_hex("fd09000000ffbe000000000000001208000403211a"); }
+
+TEST(mavlink_frame_shape, a_right_frame_is_v2_also_with_more_bytes_behind_it) {
+  auto bytes = plain_heartbeat();
+  bytes.resize(bytes.size() + 5);
+  const auto found = look(bytes);
+  EXPECT_EQ(found.shape, frame_shape::v2);
+  EXPECT_EQ(found.size, 21U);
+  EXPECT_TRUE(found.is_right());
+}
+
+TEST(mavlink_frame_shape, a_part_of_a_frame_is_cut_off) {
+  for (const auto& whole : {plain_heartbeat(), v1_frame()})
+    for (std::size_t size = 1; size < whole.size(); ++size)
+      EXPECT_EQ(look(byte_view(whole).first(size)).shape, frame_shape::cut_off) << size;
+}
+
+TEST(mavlink_frame_shape, one_other_byte_makes_the_checksum_bad) {
+  for (std::size_t at = 2; at < 21; ++at) {
+    auto bytes = plain_heartbeat();
+    if (at >= incompat_at && at < id_at && at != 4)
+      continue;
+    bytes[at] ^= std::byte{0x20};
+    const auto found = look(bytes);
+    EXPECT_FALSE(found.is_right()) << at;
+    EXPECT_NE(found.shape, frame_shape::nothing) << at;
+  }
+}
+
+TEST(mavlink_frame_shape, other_right_shapes_are_told_apart) {
+  EXPECT_EQ(look(with_flags(plain_heartbeat(), 0x02)).shape, frame_shape::unknown_flags);
+  EXPECT_EQ(look(v1_frame()).shape, frame_shape::v1);
+  EXPECT_EQ(look(unknown_frame(7)).shape, frame_shape::unknown_id);
+  EXPECT_EQ(look(unknown_frame(7)).size, 19U);
+}
+
+TEST(mavlink_frame_shape, nothing_begins_where_no_magic_is) {
+  EXPECT_EQ(look({}).shape, frame_shape::nothing);
+  EXPECT_EQ(look(from_hex("00fd")).shape, frame_shape::nothing);
+}
+
+} // namespace frame_shape_test
+
+namespace read_window_test {
+
+TEST(mavlink_read_window, passes_over_a_file_of_several_windows_without_a_gap) {
+  byte_buffer all(3 * read_window::window_bytes + 17);
+  std::mt19937_64 random(3);
+  for (auto& each : all)
+    each = static_cast<std::byte>(random());
+  const mcap::memory_source source(all);
+  read_window window(source);
+  byte_buffer seen;
+  for (;;) {
+    ASSERT_TRUE(window.require(1000));
+    if (window.bytes().empty())
+      break;
+    EXPECT_EQ(window.offset(), seen.size());
+    EXPECT_TRUE(window.bytes().size() >= 1000 || window.offset() + window.bytes().size() == all.size());
+    EXPECT_LE(window.bytes().size(), read_window::window_bytes);
+    const auto count = std::min<std::size_t>(window.bytes().size(), random() % 999 + 1);
+    append(seen, window.bytes().first(count));
+    window.drop(count);
+  }
+  EXPECT_EQ(seen, all);
+}
+
+TEST(mavlink_read_window, hands_on_an_error_of_the_source) {
+  const temporary_folder folder;
+  std::filesystem::create_directory(folder / "sub");
+  mcap::file_source source;
+  ASSERT_TRUE(source.open(folder / "sub"));
+  read_window window(source);
+  const auto outcome = window.require(1);
+  ASSERT_FALSE(outcome);
+  EXPECT_EQ(outcome.error().code, mcap::errc::io);
+}
+
+} // namespace read_window_test
+
 } // namespace godwit::io::mavlink::test

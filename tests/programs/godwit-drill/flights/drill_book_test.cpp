@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "programs/godwit-drill/flights/drill_page.hpp"
-
 namespace drill_book_test {
 
 using namespace godwit::drill;

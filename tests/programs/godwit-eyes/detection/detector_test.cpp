@@ -10,9 +10,9 @@
 #include <rapidcheck/gtest.h>
 
 #include "programs/godwit-sim/camera/random.hpp"
-#include "programs/godwit-sim/camera/suite.hpp"
 #include "tests/support/eyes/pose_of_view.hpp"
 #include "tests/support/eyes/score.hpp"
+#include "tests/support/eyes/suite.hpp"
 
 namespace godwit::eyes {
 namespace detector_test {

@@ -6,7 +6,7 @@
 
 #include "programs/godwit-eyes/detection/picture_check.hpp"
 #include "programs/godwit-sim/camera/ground_painter.hpp"
-#include "programs/godwit-sim/camera/suite.hpp"
+#include "tests/support/eyes/suite.hpp"
 
 namespace godwit::eyes {
 namespace own_motion_test {

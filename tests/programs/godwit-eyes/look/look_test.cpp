@@ -12,8 +12,8 @@
 
 #include "io/video/jpeg_encoder.hpp"
 #include "io/video/recorder.hpp"
-#include "programs/godwit-sim/camera/suite.hpp"
 #include "tests/support/eyes/generated_frame.hpp"
+#include "tests/support/eyes/suite.hpp"
 
 namespace look_test {
 

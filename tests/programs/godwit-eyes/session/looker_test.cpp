@@ -1,5 +1,3 @@
-#include "programs/godwit-eyes/session/looker.hpp"
-
 #include <chrono>
 #include <map>
 #include <mutex>
@@ -9,9 +7,11 @@
 #include <gtest/gtest.h>
 
 #include "programs/godwit-eyes/detection/detector.hpp"
-#include "programs/godwit-eyes/session/cutout_maker.hpp"
-#include "programs/godwit-sim/camera/suite.hpp"
+#include "programs/godwit-eyes/session/looker.hpp"
+#include "programs/godwit-eyes/session/picture_maker.hpp"
 #include "tests/support/eyes/generated_frame.hpp"
+#include "tests/support/eyes/suite.hpp"
+#include "tests/support/time_units.hpp"
 
 namespace looker_test {
 
@@ -97,3 +97,50 @@ TEST(eyes_looker, a_change_of_size_makes_a_new_detector_and_one_that_can_not_be_
 }
 
 } // namespace looker_test
+
+namespace pose_history_test {
+
+using godwit::tests::ms;
+
+using namespace godwit;
+
+using namespace godwit::eyes;
+
+io::eyes::pose pose_at(std::int64_t at_ns) {
+  io::eyes::pose result;
+  result.at_ns = at_ns;
+  result.height_m = static_cast<double>(at_ns) / ms;
+  return result;
+}
+
+TEST(pose_history, a_picture_finds_the_pose_that_is_nearest_in_time) {
+  pose_history all;
+  EXPECT_FALSE(all.at(0));
+  for (std::int64_t at = 1000; at <= 2000; at += 100)
+    all.add(pose_at(at * ms));
+  EXPECT_EQ(all.at(1240 * ms)->at_ns, 1200 * ms);
+  EXPECT_EQ(all.at(1260 * ms)->at_ns, 1300 * ms);
+  EXPECT_EQ(all.at(900 * ms)->at_ns, 1000 * ms);
+  EXPECT_EQ(all.at(2100 * ms)->at_ns, 2000 * ms);
+  EXPECT_EQ(all.at(2100 * ms)->height_m, 2000);
+}
+
+TEST(pose_history, a_pose_of_another_time_is_none) {
+  pose_history all;
+  all.add(pose_at(0));
+  EXPECT_TRUE(all.at(pose_history::max_age_ns));
+  EXPECT_FALSE(all.at(pose_history::max_age_ns + 1));
+  EXPECT_FALSE(all.at(-pose_history::max_age_ns - 1));
+}
+
+TEST(pose_history, what_is_not_newer_is_left_out_and_the_oldest_is_forgotten) {
+  pose_history all;
+  all.add(pose_at(100 * ms));
+  all.add(pose_at(50 * ms));
+  EXPECT_EQ(all.at(0)->at_ns, 100 * ms);
+  for (std::int64_t i = 0; i < 1000; ++i)
+    all.add(pose_at((200 + i) * ms));
+  EXPECT_EQ(all.at(200 * ms)->at_ns, (1200 - static_cast<std::int64_t>(pose_history::max_poses)) * ms);
+}
+
+} // namespace pose_history_test

@@ -1,15 +1,16 @@
-#include "programs/godwit-sim/camera/generator.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
+#include "programs/godwit-sim/camera/generator.hpp"
 #include "programs/godwit-sim/camera/ground_painter.hpp"
-#include "programs/godwit-sim/camera/suite.hpp"
+#include "tests/support/eyes/suite.hpp"
 
 namespace godwit::sim::camera {
+
 namespace generator_test {
 
 lens small_lens() { return {.width = 320, .height = 180, .focal_px = 300, .readout_s = 0}; }
@@ -135,4 +136,31 @@ TEST(camera_generator, colours_follow_the_brightness) {
 }
 
 } // namespace generator_test
+
+namespace truth_test {
+
+TEST(camera_truth, a_line_is_json_and_ends) {
+  truth what;
+  what.time_s = 1.5;
+  auto& person = what.movers.emplace_back();
+  person.kind = "person";
+  person.width_px = 5;
+  const auto line = json_line(what);
+  EXPECT_EQ(line.back(), '\n');
+  const auto read = nlohmann::json::parse(line);
+  EXPECT_EQ(read["time_s"], 1.5);
+  EXPECT_EQ(read["movers"][0]["kind"], "person");
+  EXPECT_EQ(read["movers"][0]["width_px"], 5);
+}
+
+TEST(camera_truth, a_place_north_of_the_origin_has_a_higher_latitude) {
+  truth what;
+  what.movers.emplace_back().north_m = 1000;
+  place_on_earth(what, 47, 8);
+  EXPECT_NEAR(what.movers[0].latitude_deg, 47 + 1000 / 111180.0, 1e-5);
+  EXPECT_NEAR(what.movers[0].longitude_deg, 8, 1e-9);
+}
+
+} // namespace truth_test
+
 } // namespace godwit::sim::camera

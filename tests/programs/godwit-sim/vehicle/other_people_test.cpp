@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/mavlink/messages/current_mode.hpp"
+#include "io/mavlink/messages/heartbeat.hpp"
 #include "programs/godwit-drill/flight_simulation/simulated_person.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/mode_table.hpp"
 #include "tests/programs/godwit-sim/vehicle/vehicle_world.hpp"

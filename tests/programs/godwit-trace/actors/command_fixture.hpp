@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "programs/godwit-trace/command.hpp"
+#include "programs/godwit-trace/commands.hpp"
 #include "tests/programs/godwit-trace/tool_fixture.hpp"
 
 namespace godwit::trace_tool::test {

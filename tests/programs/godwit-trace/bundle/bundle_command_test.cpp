@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "io/mavlink/tlog/tlog_writer.hpp"
-#include "programs/common/redaction.hpp"
-#include "programs/godwit-trace/bundle/flight_choice.hpp"
+#include "programs/common/printable.hpp"
+#include "programs/godwit-trace/bundle/bundle_plan.hpp"
 #include "programs/godwit-trace/bundle/secret_guard.hpp"
 #include "programs/godwit-trace/commands.hpp"
 #include "runtime/journal/journal_file.hpp"

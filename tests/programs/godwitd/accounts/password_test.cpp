@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "programs/godwitd/accounts/token.hpp"
-
 namespace password_test {
 
 using namespace godwit::accounts;

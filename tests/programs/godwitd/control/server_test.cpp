@@ -14,7 +14,6 @@
 #include <sys/stat.h>
 
 #include "programs/common/control_client.hpp"
-#include "programs/common/unix_address.hpp"
 #include "tests/programs/godwitd/scratch.hpp"
 
 namespace server_test {

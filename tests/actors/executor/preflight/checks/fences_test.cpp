@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "actors/executor/preflight/checks.hpp"
 #include "tests/actors/executor/preflight/good_facts.hpp"
 
 namespace godwit::executor::preflight {

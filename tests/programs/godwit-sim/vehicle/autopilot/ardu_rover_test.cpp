@@ -1,4 +1,4 @@
-#include "programs/godwit-sim/vehicle/autopilot/ardu_rover.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/rover.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // How a change of mode is told, besides the HEARTBEAT of each second.
 #include <gtest/gtest.h>
 
-#include "io/mavlink/messages/current_mode.hpp"
+#include "io/mavlink/messages/heartbeat.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/mode_table.hpp"
 #include "tests/programs/godwit-sim/vehicle/vehicle_world.hpp"
 

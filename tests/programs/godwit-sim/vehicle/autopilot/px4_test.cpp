@@ -388,7 +388,7 @@ TEST(px4, flies_no_mission_with_an_empty_battery_or_without_a_position) {
   }
 }
 
-// As seen of PX4 1.18 with a station that streamed neutral sticks until its mission began (stick_loss.hpp).
+// As seen of PX4 1.18 with a station that streamed neutral sticks until its mission began (stick_loss).
 TEST(px4, holds_and_then_returns_when_it_misses_sticks_that_it_has_heard) {
   constexpr std::array<std::uint8_t, 11> neutral{0, 0, 0, 0, 0xF4, 1, 0, 0, 0, 0, 1};
   const mavlink::frame_buffer sticks(69, 243, std::as_bytes(std::span(neutral)), station_id, 0, false);

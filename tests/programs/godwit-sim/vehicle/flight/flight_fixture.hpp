@@ -8,7 +8,7 @@
 
 #include "io/mavlink/messages/mission_transfer.hpp"
 #include "programs/godwit-sim/vehicle/flight/flight.hpp"
-#include "programs/godwit-sim/vehicle/flight/mission_commands.hpp"
+#include "programs/godwit-sim/vehicle/flight/item_place.hpp"
 
 namespace godwit::sim::test {
 

@@ -4,6 +4,7 @@
 //   #include "runtime/define_message.hpp"
 //
 //   GODWIT_DEFINE_MESSAGE(godwit::odometer::moved);
+//   GODWIT_DEFINE_MESSAGES(godwit::odometer, reset, reset_done);
 //
 // Tests whose message types are their own include this file and need no macro.
 #pragma once
@@ -13,11 +14,11 @@
 #include <nlohmann/json.hpp>
 
 #include "io/fields/binary.hpp"
+#include "io/fields/each_name.hpp"
 #include "io/fields/json_schema.hpp"
 #include "io/fields/json_text.hpp"
 #include "io/fields/json_value.hpp"
 #include "runtime/envelope.hpp"
-#include "runtime/message_type.hpp"
 
 namespace godwit::runtime {
 
@@ -45,7 +46,19 @@ const message_type& type_of() noexcept {
   return made;
 }
 
+// Instantiated for what it names: to use type_of is to instantiate it.
+template <class... T>
+struct defined_messages {
+  static const message_type& (*const all[])() noexcept;
+};
+
+template <class... T>
+const message_type& (*const defined_messages<T...>::all[])() noexcept = {&type_of<T>...};
+
 } // namespace godwit::runtime
 
 #define GODWIT_DEFINE_MESSAGE(T)                                                                                       \
   template const ::godwit::runtime::message_type& ::godwit::runtime::type_of<T>() noexcept
+#define GODWIT_MESSAGE_IN(space, name) space::name
+#define GODWIT_DEFINE_MESSAGES(space, ...)                                                                             \
+  template struct ::godwit::runtime::defined_messages<GODWIT_EACH_NAME(GODWIT_MESSAGE_IN, space, __VA_ARGS__)>

@@ -3,6 +3,4 @@
 #include "actors/failsafe/state.hpp"
 #include "runtime/define_message.hpp"
 
-GODWIT_DEFINE_MESSAGE(godwit::failsafe::command_vehicle);
-GODWIT_DEFINE_MESSAGE(godwit::failsafe::remembered);
-GODWIT_DEFINE_MESSAGE(godwit::failsafe::state);
+GODWIT_DEFINE_MESSAGES(godwit::failsafe, command_vehicle, remembered, state);

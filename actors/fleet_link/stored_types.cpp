@@ -3,9 +3,4 @@
 #include "actors/fleet_link/state.hpp"
 #include "runtime/define_message.hpp"
 
-GODWIT_DEFINE_MESSAGE(godwit::fleet_link::delivered);
-GODWIT_DEFINE_MESSAGE(godwit::fleet_link::live_text);
-GODWIT_DEFINE_MESSAGE(godwit::fleet_link::noted);
-GODWIT_DEFINE_MESSAGE(godwit::fleet_link::state);
-GODWIT_DEFINE_MESSAGE(godwit::fleet_link::store_named);
-GODWIT_DEFINE_MESSAGE(godwit::fleet_link::written);
+GODWIT_DEFINE_MESSAGES(godwit::fleet_link, delivered, live_text, noted, state, store_named, written);

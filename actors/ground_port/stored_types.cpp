@@ -2,11 +2,5 @@
 #include "actors/ground_port/state.hpp"
 #include "runtime/define_message.hpp"
 
-GODWIT_DEFINE_MESSAGE(godwit::ground_port::plan_noted);
-GODWIT_DEFINE_MESSAGE(godwit::ground_port::plan_resolved);
-GODWIT_DEFINE_MESSAGE(godwit::ground_port::signing_time_reserved);
-GODWIT_DEFINE_MESSAGE(godwit::ground_port::start_item_noted);
-GODWIT_DEFINE_MESSAGE(godwit::ground_port::start_item_resolved);
-GODWIT_DEFINE_MESSAGE(godwit::ground_port::start_noted);
-GODWIT_DEFINE_MESSAGE(godwit::ground_port::start_resolved);
-GODWIT_DEFINE_MESSAGE(godwit::ground_port::state);
+GODWIT_DEFINE_MESSAGES(godwit::ground_port, plan_noted, plan_resolved, signing_time_reserved, start_item_noted,
+                       start_item_resolved, start_noted, start_resolved, state);

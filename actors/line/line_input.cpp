@@ -9,8 +9,7 @@
 #include "runtime/define_message.hpp"
 #include "runtime/overloaded.hpp"
 
-GODWIT_DEFINE_MESSAGE(godwit::line::line_input);
-GODWIT_DEFINE_MESSAGE(godwit::line::line_drops);
+GODWIT_DEFINE_MESSAGES(godwit::line, line_input, line_drops);
 
 namespace godwit::line {
 

@@ -2,5 +2,4 @@
 #include "actors/telemetry_stream/actor.hpp"
 #include "runtime/define_message.hpp"
 
-GODWIT_DEFINE_MESSAGE(godwit::telemetry_stream::audience);
-GODWIT_DEFINE_MESSAGE(godwit::telemetry_stream::pictured_points);
+GODWIT_DEFINE_MESSAGES(godwit::telemetry_stream, audience, pictured_points);

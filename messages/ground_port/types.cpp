@@ -4,12 +4,5 @@
 #include "messages/ground_port/mission.hpp"
 #include "runtime/define_message.hpp"
 
-GODWIT_DEFINE_MESSAGE(godwit::ground_port::get_port);
-GODWIT_DEFINE_MESSAGE(godwit::ground_port::item_reached);
-GODWIT_DEFINE_MESSAGE(godwit::ground_port::mission_progress);
-GODWIT_DEFINE_MESSAGE(godwit::ground_port::operator_link);
-GODWIT_DEFINE_MESSAGE(godwit::ground_port::plan_judged);
-GODWIT_DEFINE_MESSAGE(godwit::ground_port::port_description);
-GODWIT_DEFINE_MESSAGE(godwit::ground_port::set_mission);
-GODWIT_DEFINE_MESSAGE(godwit::ground_port::status_text);
-GODWIT_DEFINE_MESSAGE(godwit::ground_port::wake);
+GODWIT_DEFINE_MESSAGES(godwit::ground_port, get_port, item_reached, mission_progress, operator_link, plan_judged,
+                       port_description, set_mission, status_text, wake);

@@ -2,6 +2,4 @@
 #include "messages/health/types.hpp"
 #include "runtime/define_message.hpp"
 
-GODWIT_DEFINE_MESSAGE(godwit::health::get_health);
-GODWIT_DEFINE_MESSAGE(godwit::health::health_status);
-GODWIT_DEFINE_MESSAGE(godwit::health::make_report);
+GODWIT_DEFINE_MESSAGES(godwit::health, get_health, health_status, make_report);

@@ -2,8 +2,4 @@
 #include "messages/movement_detector/types.hpp"
 #include "runtime/define_message.hpp"
 
-GODWIT_DEFINE_MESSAGE(godwit::movement_detector::eyes_view);
-GODWIT_DEFINE_MESSAGE(godwit::movement_detector::get_eyes);
-GODWIT_DEFINE_MESSAGE(godwit::movement_detector::helper_candidates);
-GODWIT_DEFINE_MESSAGE(godwit::movement_detector::helper_ended);
-GODWIT_DEFINE_MESSAGE(godwit::movement_detector::helper_status);
+GODWIT_DEFINE_MESSAGES(godwit::movement_detector, eyes_view, get_eyes, helper_candidates, helper_ended, helper_status);

@@ -3,6 +3,4 @@
 #include "messages/operator/principal.hpp"
 #include "runtime/define_message.hpp"
 
-GODWIT_DEFINE_MESSAGE(godwit::operators::answer);
-GODWIT_DEFINE_MESSAGE(godwit::operators::command);
-GODWIT_DEFINE_MESSAGE(godwit::operators::principal);
+GODWIT_DEFINE_MESSAGES(godwit::operators, answer, command, principal);

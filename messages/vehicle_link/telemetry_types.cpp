@@ -8,23 +8,8 @@
 #include "io/mavlink/messages/version.hpp"
 #include "runtime/define_message.hpp"
 
-GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::attitude);
-GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::autopilot_version);
-GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::battery_status);
-GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::current_mode);
-GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::ekf_status_report);
-GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::estimator_status);
-GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::extended_sys_state);
-GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::fence_status);
-GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::gimbal_device_attitude_status);
-GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::global_position_int);
-GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::gps_raw_int);
-GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::heartbeat);
-GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::home_position);
-GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::mission_current);
-GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::mission_item_reached);
-GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::radio_status);
-GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::statustext);
-GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::sys_status);
-GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::system_time);
-GODWIT_DEFINE_MESSAGE(godwit::io::mavlink::vfr_hud);
+GODWIT_DEFINE_MESSAGES(godwit::io::mavlink, attitude, autopilot_version, battery_status, current_mode,
+                       ekf_status_report, estimator_status, extended_sys_state, fence_status,
+                       gimbal_device_attitude_status, global_position_int, gps_raw_int, heartbeat, home_position,
+                       mission_current, mission_item_reached, radio_status, statustext, sys_status, system_time,
+                       vfr_hud);

@@ -7,28 +7,8 @@
 #include "messages/vehicle_link/transfer.hpp"
 #include "runtime/define_message.hpp"
 
-GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::cancel_transfer);
-GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::clear_plan);
-GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::command_outcome);
-GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::connection);
-GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::connection_changed);
-GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::download_plan);
-GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::foreign_act);
-GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::get_connection);
-GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::keep_vehicle);
-GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::line_findings);
-GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::look);
-GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::looked);
-GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::relayed_frame);
-GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::send_command);
-GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::set_current_item);
-GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::set_mode);
-GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::set_up_signing);
-GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::signing_answer);
-GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::signing_alert);
-GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::upload_plan);
-GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::vehicle_restarted);
-GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::wake);
-GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::watch_closely);
-GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::transfer::outcome);
-GODWIT_DEFINE_MESSAGE(godwit::vehicle_link::transfer::progress);
+GODWIT_DEFINE_MESSAGES(godwit::vehicle_link, cancel_transfer, clear_plan, command_outcome, connection,
+                       connection_changed, download_plan, foreign_act, get_connection, keep_vehicle, line_findings,
+                       look, looked, relayed_frame, send_command, set_current_item, set_mode, set_up_signing,
+                       signing_answer, signing_alert, upload_plan, vehicle_restarted, wake, watch_closely);
+GODWIT_DEFINE_MESSAGES(godwit::vehicle_link::transfer, outcome, progress);

@@ -7,12 +7,6 @@
 
 GODWIT_DEFINE_MESSAGE(godwit::control::control_request);
 GODWIT_DEFINE_MESSAGE(godwit::daemon::sighting_counts);
-GODWIT_DEFINE_MESSAGE(godwit::ground_run::get_run);
-GODWIT_DEFINE_MESSAGE(godwit::ground_run::retry_due);
-GODWIT_DEFINE_MESSAGE(godwit::ground_run::run_status);
-GODWIT_DEFINE_MESSAGE(godwit::ground_run::tick);
-GODWIT_DEFINE_MESSAGE(godwit::ground_run::woken);
+GODWIT_DEFINE_MESSAGES(godwit::ground_run, get_run, retry_due, run_status, tick, woken);
 GODWIT_DEFINE_MESSAGE(godwit::landing_watch::tick);
-GODWIT_DEFINE_MESSAGE(godwit::sightings::get_sightings);
-GODWIT_DEFINE_MESSAGE(godwit::sightings::tick);
-GODWIT_DEFINE_MESSAGE(godwit::sightings::woken);
+GODWIT_DEFINE_MESSAGES(godwit::sightings, get_sightings, tick, woken);

@@ -4,6 +4,4 @@
 #include "programs/godwitd/operator_port/view_desk.hpp"
 #include "runtime/define_message.hpp"
 
-GODWIT_DEFINE_MESSAGE(godwit::operator_port::api_request);
-GODWIT_DEFINE_MESSAGE(godwit::operator_port::mission_upload);
-GODWIT_DEFINE_MESSAGE(godwit::operator_port::view_request);
+GODWIT_DEFINE_MESSAGES(godwit::operator_port, api_request, mission_upload, view_request);

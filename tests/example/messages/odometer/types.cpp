@@ -2,9 +2,4 @@
 #include "tests/example/messages/odometer/types.hpp"
 #include "runtime/define_message.hpp"
 
-GODWIT_DEFINE_MESSAGE(godwit::odometer::get_total);
-GODWIT_DEFINE_MESSAGE(godwit::odometer::milestone);
-GODWIT_DEFINE_MESSAGE(godwit::odometer::moved);
-GODWIT_DEFINE_MESSAGE(godwit::odometer::reset);
-GODWIT_DEFINE_MESSAGE(godwit::odometer::reset_done);
-GODWIT_DEFINE_MESSAGE(godwit::odometer::total);
+GODWIT_DEFINE_MESSAGES(godwit::odometer, get_total, milestone, moved, reset, reset_done, total);

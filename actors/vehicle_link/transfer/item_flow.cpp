@@ -87,7 +87,8 @@ bool item_flow::take_sample(const sending& answered, std::int64_t now_ns) {
   }
   if (answered.times > 1) {
     const bool is_first_resend = silences_ == 1 && answered.times == 2;
-    line_.ambiguous_sample(since_last_ns, is_first_resend ? std::optional(now_ns - answered.before_ns) : std::nullopt);
+    line_.ambiguous_sample({since_last_ns, answered.last_ns - answered.before_ns,
+                            is_first_resend ? std::optional(now_ns - answered.before_ns) : std::nullopt});
   }
   return false;
 }

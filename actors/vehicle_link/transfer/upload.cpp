@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "actors/vehicle_link/transfer/answer_wait.hpp"
 #include "io/mavlink/plan_meaning.hpp"
 
 namespace godwit::vehicle_link::transfer {
@@ -13,7 +14,6 @@ namespace {
 using mavlink::mav_mission_result;
 using mavlink::number;
 
-constexpr std::int64_t max_wait_ns = 1'000 * ns_per_ms;
 // Where no items follow the announcement it may come twice: PX4 asks for item 0 again. Items that are sent after the
 // second one come after it, too.
 constexpr std::int64_t repeats_count_ns = 100 * ns_per_ms;
@@ -105,7 +105,7 @@ void upload::on_request_announcing(step& out, int item, std::int64_t now_ns) {
   if (item != 0)
     return;
   // No certain sample of the line: where an earlier transfer is open, it may be the vehicle asking again.
-  line_.ambiguous_sample(now_ns - announced_ns_, std::nullopt);
+  line_.ambiguous_sample({now_ns - announced_ns_, 0, std::nullopt});
   phase_ = phase::sending;
   has_begun_ = true;
   progress_ns_ = now_ns;

@@ -22,7 +22,7 @@ constexpr std::uint8_t usual_system = 1;
 
 core::core(settings configured, const signing_settings& signing, mavlink::signing_time ceiling,
            const std::optional<vehicle_name>& kept)
-    : settings_(std::move(configured)), channel_(signing, ceiling), watch_(settings_.watch),
+    : settings_(std::move(configured)), channel_(signing, ceiling), watch_(settings_.watch), heard_(settings_.watch),
       streams_(settings_.streams), gate_(settings_.deciders, settings_.alive_lasts_ms) {
   (void)watch_.keep(kept); // the line is not open yet
 }
@@ -66,11 +66,14 @@ effects core::on_bytes(io::link::peer_id peer, bool is_datagram, mavlink::byte_v
     first_v1_ns_ = now.monotonic_ns;
   raise_alert(t);
   announce_line(t);
+  announce_heard(t);
   return std::move(t.done);
 }
 
 void core::take_frame(decision_context& t, io::link::peer_id peer, const mavlink::frame_view& frame) {
   const auto from = frame.from();
+  if (watch_.phase() != connection_phase::connected && from != ourselves())
+    heard_.on_frame(frame, t.now.monotonic_ns);
   if (is_other_program(frame)) {
     ++other_programs_;
     identity_.on_other_program(t.now.monotonic_ns);
@@ -264,10 +267,11 @@ void core::note_boot_time(decision_context& t, std::uint32_t boot_ms) {
   restart_conversation(t);
 }
 
-void core::change_phase(decision_context& t, const std::optional<connection_changed>& change) {
+void core::change_phase(decision_context& t, std::optional<connection_changed> change) {
   if (!change)
     return;
   t.announce(*change);
+  heard_.restart(unusable(), t.now.monotonic_ns);
   if (change->phase != connection_phase::connected) {
     streams_.end();
     answer_look(t, looks_.give_up("the vehicle is not heard"));
@@ -332,8 +336,8 @@ void core::raise_alert(decision_context& t) {
   alerted_rejections_ = channel_.rejected();
   last_alert_ns_ = t.now.monotonic_ns;
   t.announce(signing_alert{alerted_rejections_, channel_.last_rejection()});
-  if (const auto news = watch_.on_refused(refused_sentence()))
-    t.announce(*news);
+  if (watch_.on_refused(refused_sentence()))
+    t.announce(connection_changed{watch_.phase(), why_no_vehicle(t.now.monotonic_ns)});
 }
 
 // -- time -----------------------------------------------------------------------------------------
@@ -355,6 +359,7 @@ effects core::on_time(instant now) {
     go_on(t, transfers_->on_time(now.monotonic_ns));
   ask_for_streams(t);
   announce_line(t);
+  announce_heard(t);
   if (losses_.is_due(now.monotonic_ns) && watch_.vehicle()) {
     const auto seen = report_of_vehicle();
     losses_.look(seen.followed_in, seen.sequence_gaps, now.monotonic_ns);

@@ -22,6 +22,7 @@
 #include "actors/vehicle_link/effects.hpp"
 #include "actors/vehicle_link/first_call.hpp"
 #include "actors/vehicle_link/foreign_watch.hpp"
+#include "actors/vehicle_link/heard_watch.hpp"
 #include "actors/vehicle_link/heartbeat_gate.hpp"
 #include "actors/vehicle_link/identity_watch.hpp"
 #include "actors/vehicle_link/look_keeper.hpp"
@@ -119,7 +120,10 @@ private:
   [[nodiscard]] bool is_other_program(const mavlink::frame_view& frame) const;
   void note_twin(std::int64_t now_ns);
 
-  void change_phase(decision_context& t, const std::optional<connection_changed>& change);
+  void change_phase(decision_context& t, std::optional<connection_changed> change);
+  void announce_heard(decision_context& t);
+  [[nodiscard]] unusable_frames unusable() const;
+  [[nodiscard]] std::string why_no_vehicle(std::int64_t now_ns) const; // with what is heard in its place
   void begin_with(decision_context& t, mavlink::sender vehicle);
   void announce_line(decision_context& t);
   [[nodiscard]] line_findings line(std::int64_t now_ns) const;
@@ -147,6 +151,7 @@ private:
   settings settings_;
   mavlink::channel channel_;
   vehicle_watch watch_;
+  heard_watch heard_;
   pending_commands commands_;
   current_setter current_;
   stream_keeper streams_;

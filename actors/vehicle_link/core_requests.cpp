@@ -63,7 +63,8 @@ std::optional<command_outcome> core::refusal(const send_command& what, instant n
   if (watch_.phase() == connection_phase::down)
     return unsent(what.command, command_verdict::not_sent, "the link to the vehicle is down: " + watch_.reason());
   if (!watch_.vehicle())
-    return unsent(what.command, command_verdict::not_sent, "no vehicle was heard on the link yet");
+    return unsent(what.command, command_verdict::not_sent,
+                  "there is no vehicle on the link: " + why_no_vehicle(now.monotonic_ns));
   if (what.target_component == 0)
     return unsent(what.command, command_verdict::invalid, "a command needs one component that answers it, not all");
   // The simulation build of ArduPilot aborts on NaN in COMMAND_LONG, and no build of it gives NaN a meaning.
@@ -257,7 +258,7 @@ effects core::begin_transfer(std::uint64_t request_id, mavlink::mav_mission_type
   if (watch_.phase() == connection_phase::down)
     refuse("the link to the vehicle is down: " + watch_.reason());
   else if (!transfers_)
-    refuse("no vehicle was heard on the link yet");
+    refuse("there is no vehicle on the link: " + why_no_vehicle(now.monotonic_ns));
   else if (!transfers_->is_idle())
     refuse("another transfer with the vehicle is under way");
   else if (const auto why = orders_.why_not(only_while, now.monotonic_ns); !why.empty())

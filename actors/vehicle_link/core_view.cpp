@@ -2,7 +2,7 @@
 #include <utility>
 #include <vector>
 
-#include "actors/vehicle_link/core.hpp"
+#include "actors/vehicle_link/core_context.hpp"
 
 #include "io/time_units.hpp"
 
@@ -37,6 +37,22 @@ std::string core::refused_sentence() const {
   return std::string(refused_for_signature) + ": " + channel_.last_rejection();
 }
 
+unusable_frames core::unusable() const {
+  return {channel_.rejected(), channel_.report(std::nullopt).parse_errors_total, channel_.v1_frames()};
+}
+
+std::string core::why_no_vehicle(std::int64_t now_ns) const {
+  return watch_.reason() + heard_.sentence(unusable(), now_ns);
+}
+
+void core::announce_heard(decision_context& t) {
+  const auto phase = watch_.phase();
+  if (phase == connection_phase::connected || phase == connection_phase::down ||
+      !heard_.may_be_announced(t.now.monotonic_ns) || !heard_.on_announcement(unusable(), t.now.monotonic_ns))
+    return;
+  t.announce(connection_changed{phase, why_no_vehicle(t.now.monotonic_ns)});
+}
+
 bool core::speaks_v1_only(std::int64_t now_ns) const {
   return first_v1_ns_ && channel_.frames_in() == 0 && now_ns - *first_v1_ns_ >= v1_only_after_ms * ns_per_ms;
 }
@@ -51,7 +67,7 @@ connection core::describe(instant now) const {
   connection result;
   result.phase = watch_.phase();
   result.connected = result.phase == connection_phase::connected;
-  result.reason = watch_.reason();
+  result.reason = result.connected ? std::string() : why_no_vehicle(now.monotonic_ns);
   result.last_heartbeat_age_ms = watch_.heartbeat_age_ms(now.monotonic_ns);
   if (const auto& vehicle = watch_.vehicle()) {
     result.system = vehicle->system;
@@ -86,7 +102,7 @@ runtime::condition core::health(instant now) {
             "the vehicle speaks MAVLink 1 only; set it to MAVLink 2 (ArduPilot: SERIALn_PROTOCOL = 2, PX4: "
             "MAV_PROTO_VER = 2)"};
   if (watch_.phase() != connection_phase::connected)
-    return {runtime::health_colour::red, watch_.reason()};
+    return {runtime::health_colour::red, why_no_vehicle(now.monotonic_ns)};
   if (!twin_.empty())
     return {runtime::health_colour::red, twin_};
   if (channel_.signs_beyond_reservation())

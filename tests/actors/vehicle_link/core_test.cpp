@@ -164,6 +164,42 @@ mavlink::heartbeat of_px4() {
           .autopilot = mavlink::number(mavlink::mav_autopilot::px4)};
 }
 
+TEST(vehicle_link_core, why_there_is_no_vehicle_names_who_is_heard_in_its_place) {
+  core it(quiet(), {}, {});
+  vehicle_voice other;
+  (void)it.on_link(link_up(), at(0));
+  const mavlink::heartbeat station{.type = mavlink::number(mavlink::mav_type::gcs),
+                                   .autopilot = mavlink::number(mavlink::mav_autopilot::invalid)};
+  std::vector<connection_changed> said;
+  for (std::int64_t now = s; now <= 20 * s; now += s) {
+    for (const auto& each : announced<connection_changed>(other.say(it, station, now, {255, 190})))
+      said.push_back(each);
+    (void)it.on_time(at(now));
+  }
+  const std::string heard =
+      "no heartbeat of an autopilot yet; heard and not accepted: ground station 255/190 (20 heartbeats)";
+  EXPECT_EQ(it.describe(at(20 * s)).reason, heard);
+  EXPECT_EQ(it.health(at(20 * s)).reason, heard);
+  ASSERT_EQ(said.size(), 1U) << "once, whatever the numbers";
+  EXPECT_EQ(said[0].phase, connection_phase::silent);
+  EXPECT_NE(said[0].reason.find("ground station 255/190 (5 heartbeats)"), std::string::npos) << said[0].reason;
+  const auto done = it.on_command(7, command(400), at(20 * s));
+  EXPECT_NE(resolved(done).at(0).outcome.reason.find(heard), std::string::npos);
+  (void)other.beat(it, 21 * s);
+  EXPECT_EQ(it.describe(at(21 * s)).reason, "");
+}
+
+TEST(vehicle_link_core, a_lost_vehicles_reason_counts_what_is_heard_since) {
+  connected c;
+  (void)c.vehicle.say(c.it, mavlink::heartbeat{.type = mavlink::number(mavlink::mav_type::gcs)}, s, {255, 190});
+  (void)c.it.on_time(at(5 * s));
+  ASSERT_EQ(c.it.describe(at(5 * s)).phase, connection_phase::lost);
+  EXPECT_EQ(c.it.describe(at(5 * s)).reason.find("255/190"), std::string::npos);
+  (void)c.vehicle.say(c.it, mavlink::radio_status{}, 6 * s, {51, 68});
+  EXPECT_NE(c.it.health(at(6 * s)).reason.find("; heard and not accepted: sender 51/68 (1 frame, no heartbeat)"),
+            std::string::npos);
+}
+
 TEST(vehicle_link_core, while_a_flight_is_open_nothing_is_sent_to_another_vehicle) {
   core it(settings{}, {}, {}, vehicle_name{1, 1});
   vehicle_voice other;

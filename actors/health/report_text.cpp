@@ -87,10 +87,18 @@ constexpr std::array link_rows{
                     &connection::dropped_out},
     row<connection>{"godwit_vehicle_unread_bytes_total", "Bytes that came faster than they were read.",
                     &connection::dropped_in},
+    row<connection>{"godwit_vehicle_frames_signed_total", "Good frames that were signed with our key.",
+                    &connection::signed_in},
     row<connection>{"godwit_vehicle_signing_rejected_total", "Frames refused for their signature.",
                     &connection::signing_rejected},
     row<connection>{"godwit_vehicle_frames_not_accepted_total", "Good frames that nobody here takes.",
                     &connection::not_accepted},
+    row<connection>{"godwit_vehicle_frames_under_its_name_total", "Frames of the vehicle's name from another peer.",
+                    &connection::under_its_name},
+    row<connection>{"godwit_vehicle_other_autopilots_total", "Heartbeats of autopilots that are not the vehicle.",
+                    &connection::other_autopilots},
+    row<connection>{"godwit_vehicle_other_programs_total",
+                    "Heartbeats under the vehicle's name that are no autopilot's.", &connection::other_programs},
     row<connection>{"godwit_vehicle_reconnects_total", "Times that the link was opened anew.", &connection::reconnects},
     row<connection>{"godwit_vehicle_restarts_total", "Restarts of the autopilot.", &connection::vehicle_restarts},
 };
@@ -135,6 +143,15 @@ void append_vehicle(text_writer& out, const connection& seen) {
     out.one("godwit_vehicle_heartbeat_age_seconds", metric_kind::gauge, "Since the last heartbeat of the autopilot.",
             static_cast<double>(seen.last_heartbeat_age_ms) * seconds_of_ms);
   append_rows(out, seen, link_rows);
+  out.one("godwit_vehicle_sequence_received", metric_kind::gauge, "Number of the autopilot's last frame, 0 to 255.",
+          static_cast<int>(seen.rx_seq));
+  out.one("godwit_vehicle_sequence_sent", metric_kind::gauge, "Number of our next frame to the vehicle, 0 to 255.",
+          static_cast<int>(seen.tx_seq));
+  out.one("godwit_vehicle_signing", metric_kind::gauge, "Whether the line has a key.", seen.signing_enabled ? 1 : 0);
+  out.begin("godwit_vehicle_signing_errors_total", metric_kind::counter,
+            "Frames refused for their signature, by cause.");
+  for (const auto& each : seen.signing_errors)
+    out.add(each.count, {{"cause", each.name}});
   out.begin("godwit_vehicle_parse_errors_total", metric_kind::counter, "Bytes and frames that are no MAVLink.");
   for (const auto& each : seen.parse_errors)
     out.add(each.count, {{"cause", each.name}});
@@ -152,6 +169,15 @@ void append_ground(text_writer& out, const ground_port::port_description& seen) 
 void append_service(text_writer& out, const mission_client::service_status& seen) {
   out.begin("godwit_service_connection", metric_kind::gauge, "1 at how the missions service is.");
   out.add(1, {{"state", io::name_of(seen.connection)}});
+  out.begin("godwit_map_pull", metric_kind::gauge, "1 at how the last pull of the map is.");
+  out.add(1, {{"state", io::name_of(seen.pull)}});
+  if (seen.last_fetch_ns != 0)
+    out.one("godwit_service_last_fetch_time_seconds", metric_kind::gauge,
+            "When the mission was fetched last, since 1970 (UTC).", static_cast<double>(seen.last_fetch_ns) * 1e-9);
+  if (!seen.schema_version.empty()) {
+    out.begin("godwit_service_schema_info", metric_kind::gauge, "1 at the version of the last mission's schema.");
+    out.add(1, {{"version", seen.schema_version}});
+  }
   out.one("godwit_service_fetch_errors_total", metric_kind::counter, "Calls to the missions service that failed.",
           seen.fetch_errors);
   out.one("godwit_service_lost_reports_total", metric_kind::counter, "Reports of progress that were never delivered.",

@@ -25,7 +25,14 @@ report whole() {
   made.vehicle->parse_errors.push_back({"bad_crc", 3});
   made.ground.emplace();
   made.ground->counts.push_back({"passed_to_vehicle", 4});
+  made.vehicle->signing_errors.push_back({"wrong_key", 2});
+  made.vehicle->signing_enabled = true;
+  made.vehicle->rx_seq = 200;
+  made.vehicle->tx_seq = 7;
   made.service.emplace();
+  made.service->pull = mission_client::pull_state::cached_fallback;
+  made.service->last_fetch_ns = 1'800'000'000'500'000'000;
+  made.service->schema_version = "2.0";
   made.map.emplace();
   made.actors.push_back(
       {.name = "executor", .phase = runtime::child_phase::running, .last_crash = "", .health_reason = ""});
@@ -54,6 +61,20 @@ TEST(health_report, figures_are_counted_by_actor) {
   EXPECT_NE(text.find("godwit_actor_mailbox_messages{actor=\"executor\"} 7\n"), std::string::npos);
   EXPECT_NE(text.find("godwit_part_health{part=\"journal\"} 2\n"), std::string::npos);
   EXPECT_NE(text.find("godwit_vehicle_heartbeat_age_seconds 1.5\n"), std::string::npos);
+}
+
+TEST(health_report, figures_name_the_pull_the_last_fetch_the_schema_the_signing_and_the_numbers_of_frames) {
+  const auto text = metrics_of(whole());
+  for (const auto* line :
+       {"godwit_map_pull{state=\"cached_fallback\"} 1\n", "godwit_service_last_fetch_time_seconds 1800000000.5\n",
+        "godwit_service_schema_info{version=\"2.0\"} 1\n", "godwit_vehicle_signing 1\n",
+        "godwit_vehicle_signing_errors_total{cause=\"wrong_key\"} 2\n", "godwit_vehicle_sequence_received 200\n",
+        "godwit_vehicle_sequence_sent 7\n"})
+    EXPECT_NE(text.find(line), std::string::npos) << line << text;
+  auto never = whole();
+  never.service = mission_client::service_status{};
+  EXPECT_EQ(metrics_of(never).find("last_fetch"), std::string::npos);
+  EXPECT_EQ(metrics_of(never).find("schema_info"), std::string::npos);
 }
 
 TEST(health_report, there_are_no_figures_of_what_there_is_none_of) {

@@ -23,4 +23,5 @@ install(DIRECTORY scripts/demo_lib DESTINATION "${shared}/scripts" FILES_MATCHIN
 install(PROGRAMS packaging/godwit-demo DESTINATION "${CMAKE_INSTALL_BINDIR}")
 
 install(FILES README.md CHANGELOG.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(DIRECTORY packaging/prometheus packaging/grafana DESTINATION "${CMAKE_INSTALL_DOCDIR}/examples")
 install(DIRECTORY docs DESTINATION "${CMAKE_INSTALL_DOCDIR}")

@@ -7,8 +7,8 @@
 // failed, cancelled, or the client destroyed. Or it gives an error: then the callback is never called.
 //
 // TLS is 1.2 or newer, and the certificate of the service is verified, with its host; this can not be switched off.
-// Redirects are not followed, because the token would go along. Cookies, compression, HTTP/2, credentials for a proxy
-// are not there.
+// Redirects are not followed, because the token would go along. Compressed answers come where a request accepts them.
+// Cookies, HTTP/2, credentials for a proxy are not there.
 //
 // A status is an answer and no error; outcome.hpp says what it means for trying again. Nothing is tried again here, but
 // for a kept connection that turns out to be dead: once, before a byte of the answer has come, and only for what may be

@@ -45,6 +45,9 @@ struct request {
   std::string accept = "application/json";
   // Not empty: a 2xx answer of another type is an error, and nothing of it reaches the sink.
   std::string expected_content_type;
+  // The answer may come compressed (content_coding.hpp); body, sink and bounds are about what it is unpacked. For large
+  // answers: a secret beside what an attacker chooses must not be compressed with it.
+  bool accepts_compressed = false;
   std::vector<header> headers; // further ones; not those that the client writes itself
 
   // None: what the settings say.

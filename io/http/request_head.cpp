@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <array>
 
+#include "io/http/content_coding.hpp"
+
 namespace godwit::io::http {
 namespace {
 
 constexpr std::array<std::string_view, 10> written_by_us{
     "Host",           "Accept",       "Accept-Encoding", "Authorization",     "Connection",
     "Content-Length", "Content-Type", "Idempotency-Key", "Transfer-Encoding", "User-Agent"};
-constexpr std::string_view common_lines = "Accept-Encoding: identity\r\nUser-Agent: godwit\r\n";
 
 tl::unexpected<error> refused(std::string what) { return failure(errc::invalid_request, std::move(what)); }
 
@@ -36,7 +37,8 @@ void write_head(const request& asked, const destination& to, std::string_view to
   append(asked.target);
   append(" HTTP/1.1\r\n");
   line("Host", to.base.host_header());
-  append(common_lines);
+  line("Accept-Encoding", asked.accepts_compressed ? accepted_codings : "identity");
+  line("User-Agent", "godwit");
   if (!asked.accept.empty())
     line("Accept", asked.accept);
   if (!token.empty()) {

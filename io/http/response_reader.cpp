@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "io/http/content_coding.hpp"
 #include "io/http/incremental_parser.hpp"
 #include "io/http/message.hpp"
 
@@ -39,6 +40,9 @@ struct response_reader::state {
 
   void begin();
   void take_body(std::span<const std::byte> bytes, beast::error_code& stop);
+  void take_plain(std::span<const std::byte> bytes);
+  void unpack(std::span<const std::byte> bytes);
+  [[nodiscard]] result<void> check_end() const;
   void take_success(std::span<const std::byte> bytes);
   void take_error_page(std::span<const std::byte> bytes);
   void keep(std::span<const std::byte> bytes);
@@ -52,6 +56,8 @@ struct response_reader::state {
   incremental_parser<false> reading{buffer_bytes};
   response answer;
   std::optional<error> stopped; // why take_body has ended the parsing
+  std::optional<content_decoder> decoder;
+  std::size_t packed_bytes = 0; // of the body, as they came
   unsigned interim = 0;
   bool head_judged = false;
   bool has_begun = false;
@@ -71,12 +77,40 @@ result<void> response_reader::state::too_large() {
 }
 
 void response_reader::state::take_body(std::span<const std::byte> bytes, beast::error_code& stop) {
+  if (decoder)
+    unpack(bytes);
+  else
+    take_plain(bytes);
+  if (stopped || answer.is_cut)
+    stop = beast::http::error::body_limit;
+}
+
+void response_reader::state::take_plain(std::span<const std::byte> bytes) {
   if (is_success(answer.status))
     take_success(bytes);
   else
     take_error_page(bytes);
-  if (stopped || answer.is_cut)
-    stop = beast::http::error::body_limit;
+}
+
+// Bytes that unpack to nothing could come for ever, so they are bounded as well.
+void response_reader::state::unpack(std::span<const std::byte> bytes) {
+  packed_bytes += bytes.size();
+  if (packed_bytes > std::max(rules.max_body_bytes, max_error_body_bytes)) {
+    stopped = too_large().error();
+    return;
+  }
+  const auto unpacked = decoder->feed(bytes, [this](std::span<const std::byte> piece) {
+    take_plain(piece);
+    return !stopped && !answer.is_cut;
+  });
+  if (!unpacked && !stopped)
+    stopped = unpacked.error();
+}
+
+result<void> response_reader::state::check_end() const {
+  if (decoder && !decoder->is_complete() && !answer.is_cut && is_complete())
+    return failure(errc::truncated, "the compressed answer ends in the middle");
+  return {};
 }
 
 void response_reader::state::take_success(std::span<const std::byte> bytes) {
@@ -122,8 +156,10 @@ result<void> response_reader::state::head_is_done() {
   if (rules.is_connect)
     return {};
   const auto length = parser.content_length_remaining();
-  if (auto judged = judge_head(answer, rules.expected_content_type); !judged)
+  if (auto judged = judge_head(answer, rules.expected_content_type, rules.accepts_compressed); !judged)
     return judged;
+  if (const auto coding = parse_coding(answer.find("Content-Encoding")))
+    decoder.emplace(*coding);
   const bool is_too_large = is_success(status) && !parser.is_done() && length && *length > rules.max_body_bytes;
   return is_too_large ? too_large() : result<void>{};
 }
@@ -152,7 +188,7 @@ result<void> response_reader::state::parse() {
       if (auto judged = head_is_done(); !judged)
         return judged;
   }
-  return {};
+  return check_end();
 }
 
 response_reader::response_reader(reader_rules rules) : state_(std::make_unique<state>(std::move(rules))) {}
@@ -178,7 +214,7 @@ result<void> response_reader::end_of_stream(bool is_proper) {
     return failure(errc::truncated, "the connection broke off, and nobody can tell whether the answer is complete");
   beast::error_code code;
   s.reading.current().put_eof(code);
-  return code ? result<void>(tl::make_unexpected(parse_error(code))) : result<void>();
+  return code ? result<void>(tl::make_unexpected(parse_error(code))) : s.check_end();
 }
 
 bool response_reader::is_complete() const { return state_->is_complete(); }
@@ -201,12 +237,15 @@ constexpr unsigned not_modified = 304;
 
 bool is_redirect(unsigned status) { return status >= 300 && status <= 399 && status != not_modified; }
 
-result<void> judge_coding(const response& head) {
+result<void> judge_coding(const response& head, bool accepts_compressed) {
   for (const auto& each : head.headers) {
     const bool is_content = equals_ignoring_case(each.name, "Content-Encoding");
-    if (is_content && !each.value.empty() && !equals_ignoring_case(each.value, "identity"))
-      return failure(errc::encoded, "the answer is compressed (" + quotable(each.value) +
-                                        ") though only plain bytes were asked for; switch compression off there");
+    const bool is_plain = each.value.empty() || equals_ignoring_case(each.value, "identity");
+    if (is_content && !is_plain && !(accepts_compressed && parse_coding(each.value)))
+      return failure(errc::encoded, "the answer is compressed (" + quotable(each.value) + ") though " +
+                                        (accepts_compressed ? std::string(accepted_codings) + " alone were"
+                                                            : std::string("only plain bytes were")) +
+                                        " asked for; switch compression off there");
     if (equals_ignoring_case(each.name, "Transfer-Encoding") && !equals_ignoring_case(each.value, "chunked"))
       return failure(errc::encoded, "the answer has a transfer coding that was not asked for: " + quotable(each.value));
   }
@@ -225,14 +264,14 @@ std::string quotable(std::string_view foreign) {
   return text;
 }
 
-result<void> judge_head(const response& head, std::string_view expected_content_type) {
+result<void> judge_head(const response& head, std::string_view expected_content_type, bool accepts_compressed) {
   if (is_redirect(head.status)) {
     const auto target = quotable(head.find("Location"));
     return failure(errc::redirect, "answered " + std::to_string(head.status) + ": it is to be found at " +
                                        (target.empty() ? "a place that is not named" : target) +
                                        "; redirects are not followed: set the URL to the right place");
   }
-  if (auto coding = judge_coding(head); !coding)
+  if (auto coding = judge_coding(head, accepts_compressed); !coding)
     return coding;
   const auto type = head.find("Content-Type");
   const bool has_body = head.status >= 200 && head.status <= 299 && head.status != 204;

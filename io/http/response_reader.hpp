@@ -3,9 +3,9 @@
 //   head --1xx--> head ...        at most max_interim_answers of them, thrown away
 //   head --judged--> body --> complete
 //
-// The head is judged before a byte of the body is taken: too large, compressed, a redirect, of the wrong type. A 2xx
-// body goes to the sink where there is one, else into the answer. Any other body is kept in the answer, up to its
-// bound: an error page that is too long must not hide the status.
+// The head is judged before a byte of the body is taken: too large, not compressed as accepted, a redirect, of the
+// wrong type. A 2xx body goes to the sink where there is one, else into the answer. Any other body is kept in the
+// answer, up to its bound: an error page that is too long must not hide the status.
 //
 // Errors: as values, without the place; after one the reader is of no more use. Thread: any, pure but for the sink.
 // Source: RFC 9112 (HTTP/1.1), RFC 9110, 15; parsed by Boost.Beast.
@@ -31,6 +31,7 @@ struct reader_rules {
   std::string expected_content_type; // empty: any
   bool is_connect = false;           // the answer of a proxy to CONNECT: a 2xx has no body
   body_sink on_body = {};
+  bool accepts_compressed = false; // then bodies are unpacked, and the bound is that of what is unpacked
 };
 
 class response_reader {
@@ -66,7 +67,8 @@ private:
 //
 // Errors: redirect, encoded, wrong_content_type, malformed. Thread: any, pure. Source: RFC 9110, 8.4 and 15.4.
 
-[[nodiscard]] result<void> judge_head(const response& head, std::string_view expected_content_type);
+[[nodiscard]] result<void> judge_head(const response& head, std::string_view expected_content_type,
+                                      bool accepts_compressed = false);
 
 // What a service wrote, fit for a sentence: printable, not too long, and without a query, in which a secret may stand.
 [[nodiscard]] std::string quotable(std::string_view foreign);

@@ -38,6 +38,13 @@ TEST(http_request_head, of_a_get_has_neither_body_nor_token_that_were_not_given)
             "Accept: application/json\r\n\r\n");
 }
 
+TEST(http_request_head, names_the_codings_that_a_request_accepts) {
+  request asked;
+  asked.accepts_compressed = true;
+  EXPECT_NE(request_head(asked, to("http://a"), {}).revealed().find("Accept-Encoding: zstd, gzip\r\n"),
+            std::string_view::npos);
+}
+
 TEST(http_request_head, of_an_empty_post_says_its_length) {
   EXPECT_NE(request_head(post_with(""), to("https://a"), {}).revealed().find("Content-Length: 0\r\n"),
             std::string_view::npos);

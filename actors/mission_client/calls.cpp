@@ -53,7 +53,9 @@ service_call get_page(const settings& by, const std::string& mission_id, destina
                 "?limit=" + std::to_string(by.page_limit);
   if (!next.empty())
     target += "&next=" + percent_encoded(next);
-  return get(by, std::move(target), mission::max_page_bytes);
+  auto result = get(by, std::move(target), mission::max_page_bytes);
+  result.accepts_compressed = true;
+  return result;
 }
 
 service_call post_progress(const settings& by, const std::vector<const outbox_row*>& rows) {

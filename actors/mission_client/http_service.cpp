@@ -56,6 +56,7 @@ http::request request_of(service_call call) {
   result.idempotency_key = std::move(call.key);
   result.expected_content_type = json;
   result.max_body_bytes = call.max_answer_bytes;
+  result.accepts_compressed = call.accepts_compressed;
   result.read_timeout = call.read_timeout;
   result.total_timeout = call.total_timeout;
   return result;

@@ -21,17 +21,23 @@ std::string with_sample(const std::string& what, const std::string& sample) {
 
 void pulling::plan(planning_context& d) {
   if (d.s.now != phase::pulling || mission_id_ != d.s.mission_id) {
-    attempt_.forget(d);
+    drop_pages(d);
     mission_id_ = d.s.mission_id;
     stage_ = stage::choosing;
     loads_ = 0;
-    page_ = {};
     return d.s.now == phase::pulling ? plan(d) : void();
   }
-  if (!attempt_.may_start(d))
-    return;
-  attempt_.waiting =
-      stage_ == stage::asking ? d.call(*this, get_page(d.set, mission_id_, what_, next_)) : d.ask(*this, question(d));
+  if (stage_ == stage::loading)
+    plan_loading(d);
+  else if (attempt_.may_start(d))
+    attempt_.waiting = d.ask(*this, question(d));
+}
+
+void pulling::plan_loading(planning_context& d) {
+  if (!waiting_.empty() && attempt_.may_start(d))
+    attempt_.waiting = d.ask(*this, waiting_.front());
+  if (!is_last_here_ && waiting_.size() < max_pages_ahead && call_.may_start(d))
+    call_.waiting = d.call(*this, get_page(d.set, mission_id_, what_, next_));
 }
 
 store_question pulling::question(const planning_context& d) const {
@@ -40,8 +46,6 @@ store_question pulling::question(const planning_context& d) const {
     return store::choose_mission{mission_id_};
   case stage::beginning:
     return store::begin_load{mission_id_};
-  case stage::storing:
-    return page_;
   case stage::finishing:
     return store::finish_load{load_, objects_, ignored_, d.now.wall_ns};
   case stage::failing:
@@ -54,7 +58,7 @@ store_question pulling::question(const planning_context& d) const {
 // -- the service ----------------------------------------------------------------------------------
 
 void pulling::on_answer(planning_context& d, ticket number, const service_answer& answer) {
-  if (!attempt_.ends_with(number))
+  if (!call_.ends_with(number))
     return;
   const auto verdict = judge(answer);
   if (verdict == judgement::success)
@@ -65,12 +69,12 @@ void pulling::on_answer(planning_context& d, ticket number, const service_answer
   if (verdict == judgement::gone)
     return d.happened(mission_gone{mission_id_});
   if (verdict == judgement::wrong && answer.status == 400 && !next_.empty())
-    return begin_anew(why);
+    return begin_anew(d, why);
   if (verdict != judgement::transient)
-    return give_up(std::move(why));
-  attempt_.fail(d, mission_id_, answer.retry_after_ns);
-  if (attempt_.failed >= static_cast<std::uint32_t>(d.set.max_tries))
-    give_up("after " + std::to_string(attempt_.failed) + " tries: " + why);
+    return give_up(d, std::move(why));
+  call_.fail(d, mission_id_, answer.retry_after_ns);
+  if (const auto tries = call_.failed; tries >= static_cast<std::uint32_t>(d.set.max_tries))
+    give_up(d, "after " + std::to_string(tries) + " tries: " + why);
 }
 
 tl::expected<store::load_page, std::string> pulling::page_in(const service_answer& answer,
@@ -112,17 +116,26 @@ std::string pulling::passed_bound() const {
 }
 
 void pulling::take_page(planning_context& d, const service_answer& answer) {
-  auto page = page_in(answer, next_after_page_);
+  std::optional<std::string> next;
+  auto page = page_in(answer, next);
   bytes_ += answer.body.size();
   if (page)
-    empty_pages_ = page->objects.empty() && page->ignored.empty() && next_after_page_ ? empty_pages_ + 1 : 0;
+    empty_pages_ = page->objects.empty() && page->ignored.empty() && next ? empty_pages_ + 1 : 0;
   const auto bound = page ? passed_bound() : "";
   if (!page || !bound.empty()) {
     d.count_fetch_error();
-    return give_up(page ? "the service's map has no end: " + bound : page.error());
+    return give_up(d, page ? "the service's map has no end: " + bound : page.error());
   }
-  page_ = std::move(*page);
-  go_to(stage::storing);
+  ++pages_;
+  objects_ += static_cast<std::int64_t>(page->objects.size());
+  ignored_ += static_cast<std::int64_t>(page->ignored.size());
+  waiting_.push_back(std::move(*page));
+  call_.succeed();
+  next_ = next.value_or("");
+  if (next)
+    return;
+  is_last_here_ = what_ == destination::ignored_items;
+  what_ = destination::ignored_items;
 }
 
 // -- the store ------------------------------------------------------------------------------------
@@ -134,7 +147,7 @@ void pulling::on_store(planning_context& d, ticket number, const store_answer& a
   case store::map_failure::none:
     break;
   case store::map_failure::load_given_up:
-    return begin_anew(sentence_of(answer));
+    return begin_anew(d, sentence_of(answer));
   case store::map_failure::busy:
     attempt_.fail(d, mission_id_);
     if (attempt_.failed < static_cast<std::uint32_t>(d.set.max_tries))
@@ -143,7 +156,7 @@ void pulling::on_store(planning_context& d, ticket number, const store_answer& a
   default:
     if (stage_ == stage::failing || stage_ == stage::looking)
       return end(d, pull_state::failed);
-    return give_up(sentence_of(answer));
+    return give_up(d, sentence_of(answer));
   }
   if (const auto* begun = std::get_if<store::load_answer>(&answer); begun != nullptr && stage_ == stage::beginning)
     load_ = begun->load;
@@ -165,18 +178,11 @@ void pulling::go_on(planning_context& d) {
     pages_ = objects_ = ignored_ = 0;
     bytes_ = 0;
     empty_pages_ = 0;
-    return go_to(stage::asking);
-  case stage::storing:
-    ++pages_;
-    objects_ += static_cast<std::int64_t>(page_.objects.size());
-    ignored_ += static_cast<std::int64_t>(page_.ignored.size());
-    page_ = {};
-    next_ = next_after_page_.value_or("");
-    if (next_after_page_)
-      return go_to(stage::asking);
-    go_to(what_ == destination::observations ? stage::asking : stage::finishing);
-    what_ = destination::ignored_items;
-    return;
+    is_last_here_ = false;
+    return go_to(stage::loading);
+  case stage::loading:
+    waiting_.pop_front();
+    return go_to(waiting_.empty() && is_last_here_ ? stage::finishing : stage::loading);
   case stage::failing:
     return go_to(stage::looking);
   default:
@@ -189,16 +195,23 @@ void pulling::go_to(stage next) {
   attempt_.succeed();
 }
 
-void pulling::begin_anew(const std::string& why) {
-  page_ = {};
+// What is under way is of no use any more, and its answer is not waited for.
+void pulling::drop_pages(planning_context& d) {
+  attempt_.forget(d);
+  call_.forget(d);
+  waiting_.clear();
+}
+
+void pulling::begin_anew(planning_context& d, const std::string& why) {
+  drop_pages(d);
   if (++loads_ >= max_loads)
-    return give_up("the load began anew " + std::to_string(loads_ - 1) + " times; the last time: " + why);
+    return give_up(d, "the load began anew " + std::to_string(loads_ - 1) + " times; the last time: " + why);
   go_to(stage::beginning);
 }
 
-void pulling::give_up(std::string why) {
+void pulling::give_up(planning_context& d, std::string why) {
   reason_ = std::move(why);
-  page_ = {};
+  drop_pages(d);
   go_to(stage::failing);
 }
 

@@ -6,10 +6,11 @@
 //   failed: the store is told, and says whether it has a copy from before
 //
 // The load begins before the first page is asked for: what is delivered in between may be missing in the pages, and
-// the store has to know. A page is in the store before the next one is asked for, so that one page is in memory.
-// Thread: one at a time.
+// the store has to know. The next page is asked for as soon as its place is known, while earlier ones go into the
+// store: at most max_pages_ahead wait for it, so that they and one that comes are in memory. Thread: one at a time.
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <string>
 
@@ -19,6 +20,8 @@ namespace godwit::mission_client {
 
 // A load is begun anew at most so often.
 inline constexpr int max_loads = 4;
+// Of pages that the store does not have yet, no further one is asked for.
+inline constexpr std::size_t max_pages_ahead = 2;
 // Without bounds a service that always gives a `next` would be asked for ever, and fill the disk. The store is made for
 // a million objects; what does not end there has no end.
 inline constexpr std::int64_t max_pages = 10'000;
@@ -33,21 +36,24 @@ public:
   void on_store(planning_context& d, ticket number, const store_answer& answer) override;
 
 private:
-  enum class stage { choosing, beginning, asking, storing, finishing, failing, looking };
+  enum class stage { choosing, beginning, loading, finishing, failing, looking };
 
   [[nodiscard]] store_question question(const planning_context& d) const;
+  void plan_loading(planning_context& d);
   void take_page(planning_context& d, const service_answer& answer);
   // What bound has been passed; empty: none.
   [[nodiscard]] std::string passed_bound() const;
   [[nodiscard]] tl::expected<store::load_page, std::string> page_in(const service_answer& answer,
                                                                     std::optional<std::string>& next) const;
   void go_to(stage next);
-  void begin_anew(const std::string& why);
-  void give_up(std::string why);
+  void drop_pages(planning_context& d);
+  void begin_anew(planning_context& d, const std::string& why);
+  void give_up(planning_context& d, std::string why);
   void go_on(planning_context& d);
   void end(planning_context& d, pull_state result);
 
-  attempt attempt_;
+  attempt attempt_; // a question to the store
+  attempt call_;    // a page
   stage stage_ = stage::choosing;
   std::string mission_id_;
   std::string reason_; // why it fails
@@ -55,13 +61,13 @@ private:
   std::int64_t load_ = 0;                        // the store's number
   destination what_ = destination::observations; // which pages; observations stands for the objects
   std::string next_;
-  std::int64_t pages_ = 0;
+  bool is_last_here_ = false; // no page comes any more
+  std::int64_t pages_ = 0;    // these and what follows: of pages that came
   std::int64_t objects_ = 0;
   std::int64_t ignored_ = 0;
   std::uint64_t bytes_ = 0;
-  int empty_pages_ = 0;   // in a row
-  store::load_page page_; // until the store has it
-  std::optional<std::string> next_after_page_;
+  int empty_pages_ = 0;                  // in a row
+  std::deque<store::load_page> waiting_; // until the store has them; at most max_pages_ahead
 };
 
 } // namespace godwit::mission_client

@@ -17,8 +17,9 @@ struct service_call {
   bool is_post = false;
   std::string target{}; // path and query below the service's address, percent-encoded
   std::string body{};
-  std::string key{}; // the idempotency key of a POST; it is in the body too
-  std::size_t max_answer_bytes = 0;
+  std::string key{};                // the idempotency key of a POST; it is in the body too
+  std::size_t max_answer_bytes = 0; // unpacked
+  bool accepts_compressed = false;
   std::chrono::milliseconds read_timeout{0};  // without a byte
   std::chrono::milliseconds total_timeout{0}; // from sending to the end of the answer
 };

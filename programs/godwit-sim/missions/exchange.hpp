@@ -19,6 +19,7 @@ struct request {
   std::string authorization; // the whole header; empty: none
   std::string content_type;  // of the body
   std::string body;
+  std::string accept_encoding = {};
 };
 
 using answer = io::http::server_response;

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/http/content_coding.hpp"
 #include "programs/godwit-sim/missions/faulty_service.hpp"
 #include "programs/godwit-sim/missions/route.hpp"
 
@@ -17,11 +18,24 @@ std::int64_t now_ns() {
 
 request request_of(io::http::server_request&& asked) {
   const auto header = [&](std::string_view name) { return std::string(asked.find(name)); };
+  auto accept_encoding = header("Accept-Encoding");
   return {.method = std::move(asked.method),
           .target = std::move(asked.target),
           .authorization = header("Authorization"),
           .content_type = header("Content-Type"),
-          .body = std::move(asked.body)};
+          .body = std::move(asked.body),
+          .accept_encoding = std::move(accept_encoding)};
+}
+
+// As a service behind a proxy does it: what is worth it, for who accepts it. What a fault cuts or pads stays plain.
+void compress(delivery& what, std::string_view accept_encoding) {
+  constexpr std::size_t is_worth_it = 1024;
+  const auto how = io::http::chosen_coding(accept_encoding);
+  if (!how || what.what.body.size() < is_worth_it || what.cut_after || what.padding != 0)
+    return;
+  what.what.body = io::http::compressed(what.what.body, *how);
+  what.what.headers.push_back({"Content-Encoding", std::string(io::http::coding_name(*how))});
+  what.what.headers.push_back({"Vary", "Accept-Encoding"});
 }
 
 // A line for people.
@@ -65,6 +79,7 @@ void service_server::answer(const taken_call& call, io::http::responder to) {
 void service_server::give(const taken_call& call, io::http::responder to, delivery what) {
   if (teller_)
     teller_(line_of(call, what));
+  compress(what, call.asked.accept_encoding);
   deliver(io_, std::move(to), std::move(what));
 }
 

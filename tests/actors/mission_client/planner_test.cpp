@@ -269,6 +269,74 @@ TEST(mission_client_planner, the_load_begins_before_the_first_page_is_asked_for)
   wanted = d.hear(wanted.questions[0].number, store::load_answer{7, store::map_failure::none, {}});
   ASSERT_EQ(wanted.calls.size(), 1U);
   EXPECT_EQ(wanted.calls[0].call.target, "/missions/" + mission_a + "/mapobjects?limit=2000");
+  EXPECT_TRUE(wanted.calls[0].call.accepts_compressed);
+}
+
+// A planner whose store has begun a load; the first page is asked for.
+requests at_the_first_page(planning_fixture& d) {
+  d.happens(begin_mission{mission_a});
+  auto wanted = d.plan();
+  wanted = d.hear(wanted.questions.at(0).number, store::open_batches{});
+  wanted = d.hear(wanted.questions.at(0).number, store::owed_list{});
+  mission::document document;
+  document.mission_id = mission_a;
+  d.happens(mission_fetched{document, {}});
+  wanted = d.plan();
+  wanted = d.hear(wanted.questions.at(0).number, store::map_answer{});
+  return d.hear(wanted.questions.at(0).number, store::load_answer{7, store::map_failure::none, {}});
+}
+
+std::string page(const std::string& list, const std::string& next) {
+  return R"({"schema_version":"1.0.0",")" + list + R"(":[])" + (next.empty() ? "" : R"(,"next":")" + next + "\"") + "}";
+}
+
+TEST(mission_client_planner, a_page_is_asked_for_while_earlier_ones_go_into_the_store_and_two_wait_at_most) {
+  planning_fixture d;
+  auto wanted = at_the_first_page(d);
+  wanted = d.answer(wanted.calls.at(0).number, status(200, page("map_objects", "b")));
+  ASSERT_EQ(wanted.questions.size(), 1U);
+  const auto first = wanted.questions[0];
+  EXPECT_EQ(std::get<store::load_page>(first.question).number, 0);
+  ASSERT_EQ(wanted.calls.size(), 1U) << "the store has not answered yet";
+  EXPECT_TRUE(wanted.calls[0].call.target.ends_with("&next=b"));
+  wanted = d.answer(wanted.calls[0].number, status(200, page("map_objects", "c")));
+  EXPECT_TRUE(wanted.calls.empty()) << "two pages wait";
+  EXPECT_TRUE(wanted.questions.empty()) << "one at a time, in their order";
+  wanted = d.hear(first.number, store::load_answer{7, store::map_failure::none, {}});
+  ASSERT_EQ(wanted.questions.size(), 1U);
+  EXPECT_EQ(std::get<store::load_page>(wanted.questions[0].question).number, 1);
+  ASSERT_EQ(wanted.calls.size(), 1U);
+  EXPECT_TRUE(wanted.calls[0].call.target.ends_with("&next=c"));
+}
+
+TEST(mission_client_planner, a_load_is_finished_when_the_store_has_the_last_page_and_not_when_that_has_come) {
+  planning_fixture d;
+  auto wanted = at_the_first_page(d);
+  wanted = d.answer(wanted.calls.at(0).number, status(200, page("map_objects", "")));
+  const auto objects = wanted.questions.at(0).number;
+  wanted = d.answer(wanted.calls.at(0).number, status(200, page("ignored_items", "")));
+  EXPECT_TRUE(wanted.calls.empty());
+  EXPECT_TRUE(wanted.questions.empty());
+  wanted = d.hear(objects, store::load_answer{7, store::map_failure::none, {}});
+  EXPECT_EQ(std::get<store::load_page>(wanted.questions.at(0).question).number, 1);
+  wanted = d.hear(wanted.questions[0].number, store::load_answer{7, store::map_failure::none, {}});
+  EXPECT_EQ(std::get<store::finish_load>(wanted.questions.at(0).question).load, 7);
+}
+
+TEST(mission_client_planner, a_load_that_the_store_gives_up_takes_nothing_of_the_pages_that_were_asked_ahead) {
+  planning_fixture d;
+  auto wanted = at_the_first_page(d);
+  wanted = d.answer(wanted.calls.at(0).number, status(200, page("map_objects", "b")));
+  const auto ahead = wanted.calls.at(0).number;
+  wanted = d.hear(wanted.questions.at(0).number, store::load_answer{7, store::map_failure::load_given_up, {}});
+  EXPECT_EQ(wanted.cancelled, std::vector<ticket>{ahead});
+  ASSERT_TRUE(std::holds_alternative<store::begin_load>(wanted.questions.at(0).question));
+  const auto begun = wanted.questions[0].number;
+  wanted = d.answer(ahead, status(200, page("map_objects", "c")));
+  EXPECT_TRUE(wanted.questions.empty() && wanted.calls.empty()) << "it came all the same";
+  wanted = d.hear(begun, store::load_answer{8, store::map_failure::none, {}});
+  ASSERT_EQ(wanted.calls.size(), 1U);
+  EXPECT_TRUE(wanted.calls[0].call.target.ends_with("/mapobjects?limit=2000"));
 }
 
 } // namespace planner_test

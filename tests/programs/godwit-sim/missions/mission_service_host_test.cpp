@@ -115,6 +115,22 @@ void wait_until_held(mission_service_host& host) {
 
 std::string two_reports() { return mission::to_text(reports(1, 1, 2)); }
 
+TEST(mission_service_host, a_page_comes_compressed_to_who_accepts_that_and_is_the_same_page) {
+  running_world world(true, [](service_settings& settings) { settings.map.count = 500; });
+  const auto plain = world.ask(method::get, "/mapobjects?limit=500");
+  io::http::request asked;
+  asked.target = target("/mapobjects?limit=500");
+  asked.accepts_compressed = true;
+  std::promise<got> end;
+  ASSERT_TRUE(world.client->send(asked, [&end](got given) { end.set_value(std::move(given)); }));
+  const auto small = end.get_future().get();
+  ASSERT_TRUE(plain && small) << small.error().message();
+  EXPECT_EQ(plain->find("Content-Encoding"), "");
+  EXPECT_EQ(small->find("Content-Encoding"), "zstd");
+  EXPECT_EQ(small->body, plain->body);
+  EXPECT_GT(small->body.size(), 50'000U);
+}
+
 TEST(mission_service_host, the_contract_is_served_over_tls_and_without) {
   for (const bool has_tls : {true, false}) {
     running_world world(has_tls);

@@ -29,11 +29,10 @@ TEST(line_input, bytes_and_states_come_back_as_they_were) {
 
 namespace secret_eraser_test {
 
+using namespace godwit;
 using namespace io::mavlink;
 using line::secret_eraser;
 using bytes = std::vector<std::byte>;
-
-using namespace godwit;
 
 constexpr sender station{255, 190};
 

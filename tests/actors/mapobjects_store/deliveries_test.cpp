@@ -185,9 +185,8 @@ TEST_F(deliveries, what_is_owed_is_said_for_each_mission_and_destination) {
 
 namespace observation_table_test {
 
-using observation_table = tests::map_test;
-
 using namespace godwit::tests;
+using observation_table = tests::map_test;
 
 TEST_F(observation_table, all_of_an_observation_comes_back) {
   const observation what{.id = uuid(1),

@@ -43,10 +43,9 @@ TEST(matching, the_same_object_is_the_same_wherever_it_is) {
 
 namespace priority_test {
 
+using namespace godwit::scan_controller;
 using godwit::geo::point;
 using interest = godwit::scan_controller::point;
-
-using namespace godwit::scan_controller;
 
 interest seen(double confidence, std::int64_t seen_ns = 0, bool has_moved = true) {
   interest result;

@@ -149,9 +149,8 @@ namespace godwit::tests {
 
 namespace lock_file_test {
 
-using lock_file_test = store_test;
-
 using namespace io::sqlite;
+using lock_file_test = store_test;
 
 TEST_F(lock_file_test, one_holds_it_and_the_other_hears_who) {
   const auto first = open();

@@ -169,9 +169,8 @@ namespace godwit::trace_tool::test {
 
 namespace message_json_test {
 
-using nlohmann::json;
-
 using namespace io::mavlink;
+using nlohmann::json;
 
 std::string text_of(const frame_view& frame) {
   std::string out;

@@ -224,12 +224,11 @@ TEST(operator_text, who_has_control_is_said) {
 
 namespace shown_answer_test {
 
+using namespace godwit::daemon;
+using nlohmann::json;
+
 // What strangers have written into names, reasons and sentences makes no line and turns none, in each text that
 // `godwitd ctl` shows.
-
-using namespace godwit::daemon;
-
-using nlohmann::json;
 
 // An answer to each question, with TEXT wherever somebody else's may stand.
 json answer_with(const std::string& text) {

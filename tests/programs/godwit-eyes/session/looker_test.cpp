@@ -100,11 +100,9 @@ TEST(eyes_looker, a_change_of_size_makes_a_new_detector_and_one_that_can_not_be_
 
 namespace pose_history_test {
 
-using godwit::tests::ms;
-
 using namespace godwit;
-
 using namespace godwit::eyes;
+using godwit::tests::ms;
 
 io::eyes::pose pose_at(std::int64_t at_ns) {
   io::eyes::pose result;

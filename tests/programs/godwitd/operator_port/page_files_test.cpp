@@ -100,13 +100,12 @@ TEST_F(page_served, it_names_only_files_that_there_are_and_has_no_script_of_its_
 
 namespace tile_file_test {
 
-// Tiles of a file as a map asks for them.
-
 using namespace godwit;
+using namespace godwit::operator_port;
 using io::http::test::raw_client;
 using io::http::test::running_server;
 
-using namespace godwit::operator_port;
+// Tiles of a file as a map asks for them.
 
 class tiles : public testing::Test {
 protected:

@@ -102,12 +102,10 @@ TEST(service_manager, the_watchdog_is_ours_only_if_this_process_is_meant) {
 namespace watchdog_notifier_test {
 
 using namespace godwit;
+using namespace godwit::daemon;
+using namespace std::chrono_literals;
 using words = std::vector<std::string>;
 using enum runtime::health_colour;
-
-using namespace godwit::daemon;
-
-using namespace std::chrono_literals;
 
 struct pulse_test : testing::Test {
   test::scratch folder;
@@ -197,9 +195,8 @@ TEST_F(pulse_test, started_it_beats_by_itself_until_it_is_ended) {
 
 namespace health_text_test {
 
-using enum godwit::runtime::health_colour;
-
 using namespace godwit::daemon;
+using enum godwit::runtime::health_colour;
 
 TEST(health_text, the_line_names_the_worst_and_counts_the_others) {
   EXPECT_EQ(health_in_a_line({}), "all is well");

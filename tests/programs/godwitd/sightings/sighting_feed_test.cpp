@@ -106,10 +106,9 @@ TEST(sighting_feed, a_file_that_can_not_be_read_is_an_error_or_a_complaint) {
 
 namespace sighting_line_test {
 
+using namespace godwit;
 using daemon::read_sighting;
 using nlohmann::json;
-
-using namespace godwit;
 
 json good() {
   return {{"id", "9a6c2b1e-0f4d-4b7a-8c3d-2e1f0a9b8c7d"},

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-#include "io/mavlink/messages/mission_write_partial_list.hpp"
+#include "io/mavlink/messages/mission_transfer.hpp"
 #include "tests/actors/ground_port/port_fixture.hpp"
 #include "tests/actors/ground_port/results.hpp"
 

@@ -112,7 +112,8 @@ void actor::take_answers() {
       ++stray_answers_;
       continue;
     }
-    std::erase_if(calls_, [&](const auto& each) { return each.second == *news->call; });
+    if (news->what.how != ending::page_begun)
+      std::erase_if(calls_, [&](const auto& each) { return each.second == *news->call; });
     carry_out(planner_->on_answer(current_state(), now(), *news->call, news->what));
   }
 }

@@ -54,7 +54,7 @@ service_call get_page(const settings& by, const std::string& mission_id, destina
   if (!next.empty())
     target += "&next=" + percent_encoded(next);
   auto result = get(by, std::move(target), mission::max_page_bytes);
-  result.accepts_compressed = true;
+  result.is_page = true;
   return result;
 }
 

@@ -13,6 +13,8 @@ namespace {
 namespace http = io::http;
 
 constexpr const char* json = "application/json";
+constexpr const char* next_page = "Next-Page"; // header of the contract: the `next` of the page that it begins
+constexpr std::size_t max_next_bytes = 1024;   // as the contract has it
 
 // A proxy is the network on the way here; nothing that can be read as an answer of the service came from it. A
 // certificate that can not be verified may be good once the clock of a vehicle that has just started is set, which
@@ -56,7 +58,7 @@ http::request request_of(service_call call) {
   result.idempotency_key = std::move(call.key);
   result.expected_content_type = json;
   result.max_body_bytes = call.max_answer_bytes;
-  result.accepts_compressed = call.accepts_compressed;
+  result.accepts_compressed = call.is_page;
   result.read_timeout = call.read_timeout;
   result.total_timeout = call.total_timeout;
   return result;
@@ -103,7 +105,11 @@ std::uint64_t http_service::send(service_call call) {
     number = next_number_++;
     if (client_ == nullptr)
       return number;
-    const auto sent = client_->send(request_of(std::move(call)),
+    const bool is_page = call.is_page;
+    auto asked = request_of(std::move(call));
+    if (is_page)
+      asked.on_head = [this, number](const http::response& head) { take_head(number, head); };
+    const auto sent = client_->send(std::move(asked),
                                     [this, number](http::result<http::response> got) { take(number, std::move(got)); });
     if (sent)
       under_way_.emplace(number, *sent);
@@ -145,6 +151,12 @@ void http_service::take(std::uint64_t number, http::result<http::response> got) 
   if (!got && ends)
     return;
   put(got ? answered(number, std::move(*got)) : failed(number, got.error()));
+}
+
+void http_service::take_head(std::uint64_t number, const http::response& head) {
+  const auto next = head.find(next_page);
+  if (!next.empty() && next.size() <= max_next_bytes)
+    put({.number = number, .how = ending::page_begun, .status = head.status, .body = std::string(next)});
 }
 
 void http_service::put(service_answer answer) {

@@ -52,6 +52,7 @@ public:
 private:
   http_service() = default;
   void take(std::uint64_t number, io::http::result<io::http::response> got);
+  void take_head(std::uint64_t number, const io::http::response& head);
   void put(service_answer answer);
 
   mutable std::mutex mutex_; // over the next three; never held while a callback may run

@@ -50,6 +50,7 @@ judgement judge(const service_answer& answer) {
   switch (answer.how) {
   case ending::answered:
     return judge_status(answer.status);
+  case ending::page_begun: // is no end, and never judged
   case ending::not_reached:
     return judgement::transient;
   case ending::misconfigured:

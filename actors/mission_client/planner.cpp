@@ -35,10 +35,14 @@ part* planner::take_waiting(ticket number) {
 
 requests planner::on_answer(const state& s, instant now, ticket number, const service_answer& answer) {
   planning_context d(s, now, settings_, book_, random_);
-  const bool was_there = answer.how == ending::answered || answer.how == ending::bad_answer;
+  const bool was_there = answer.how != ending::not_reached && answer.how != ending::misconfigured;
   connection_ = was_there ? connection_state::reachable : connection_state::unreachable;
-  if (auto* to = take_waiting(number))
+  if (answer.how == ending::page_begun) {
+    if (const auto found = book_.waiting.find(number); found != book_.waiting.end())
+      found->second->on_page_begun(d, number, answer.body);
+  } else if (auto* to = take_waiting(number)) {
     to->on_answer(d, number, answer);
+  }
   return std::move(d.out);
 }
 

@@ -64,6 +64,12 @@ public:
     (void)number;
     (void)answer;
   }
+  // The page of this call comes; NEXT is the place of the one after it.
+  virtual void on_page_begun(planning_context& d, ticket number, const std::string& next) {
+    (void)d;
+    (void)number;
+    (void)next;
+  }
   virtual void on_store(planning_context& d, ticket number, const store_answer& answer) {
     (void)d;
     (void)number;

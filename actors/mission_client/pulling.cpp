@@ -38,6 +38,11 @@ void pulling::plan_loading(planning_context& d) {
     attempt_.waiting = d.ask(*this, waiting_.front());
   if (!is_last_here_ && waiting_.size() < max_pages_ahead && call_.may_start(d))
     call_.waiting = d.call(*this, get_page(d.set, mission_id_, what_, next_));
+  const bool has_room = waiting_.size() + 1 < max_pages_ahead; // for this one and the one before it
+  if (call_.waiting != 0 && !ahead_.next.empty() && !ahead_.is_asked && has_room) {
+    ahead_.is_asked = true;
+    ahead_.call.waiting = d.call(*this, get_page(d.set, mission_id_, what_, ahead_.next));
+  }
 }
 
 store_question pulling::question(const planning_context& d) const {
@@ -58,6 +63,8 @@ store_question pulling::question(const planning_context& d) const {
 // -- the service ----------------------------------------------------------------------------------
 
 void pulling::on_answer(planning_context& d, ticket number, const service_answer& answer) {
+  if (ahead_.call.ends_with(number))
+    return on_page_ahead(answer);
   if (!call_.ends_with(number))
     return;
   const auto verdict = judge(answer);
@@ -132,10 +139,37 @@ void pulling::take_page(planning_context& d, const service_answer& answer) {
   waiting_.push_back(std::move(*page));
   call_.succeed();
   next_ = next.value_or("");
-  if (next)
-    return;
-  is_last_here_ = what_ == destination::ignored_items;
-  what_ = destination::ignored_items;
+  if (!next) {
+    is_last_here_ = what_ == destination::ignored_items;
+    what_ = destination::ignored_items;
+  }
+  go_on_with_page_ahead(d, next);
+}
+
+// -- a page that was asked for before the one before it had come ----------------------------------
+
+void pulling::on_page_begun(planning_context& /*d*/, ticket number, const std::string& next) {
+  if (number == call_.waiting && !ahead_.is_asked)
+    ahead_.next = next;
+  else if (number == ahead_.call.waiting)
+    ahead_.following = next;
+}
+
+// What fails is asked for again when its turn comes, and counts then.
+void pulling::on_page_ahead(const service_answer& answer) {
+  if (judge(answer) == judgement::success)
+    ahead_.came = answer;
+}
+
+// NEXT: as the page has it, which counts.
+void pulling::go_on_with_page_ahead(planning_context& d, const std::optional<std::string>& next) {
+  auto ahead = std::exchange(ahead_, {});
+  if (!next || *next != ahead.next || !ahead.is_asked)
+    return ahead.call.forget(d);
+  call_.waiting = ahead.call.waiting;
+  ahead_.next = std::move(ahead.following);
+  if (ahead.came)
+    take_page(d, *ahead.came);
 }
 
 // -- the store ------------------------------------------------------------------------------------
@@ -199,6 +233,8 @@ void pulling::go_to(stage next) {
 void pulling::drop_pages(planning_context& d) {
   attempt_.forget(d);
   call_.forget(d);
+  ahead_.call.forget(d);
+  ahead_ = {};
   waiting_.clear();
 }
 

@@ -6,8 +6,9 @@
 //   failed: the store is told, and says whether it has a copy from before
 //
 // The load begins before the first page is asked for: what is delivered in between may be missing in the pages, and
-// the store has to know. The next page is asked for as soon as its place is known, while earlier ones go into the
-// store: at most max_pages_ahead wait for it, so that they and one that comes are in memory. Thread: one at a time.
+// the store has to know. The next page is asked for as soon as its place is known: from the head of the one that still
+// comes, where the service names it there, else from its body. Earlier ones go into the store meanwhile; at most
+// max_pages_ahead wait for it or for the one before them. Thread: one at a time.
 #pragma once
 
 #include <deque>
@@ -33,6 +34,7 @@ class pulling final : public part {
 public:
   void plan(planning_context& d) override;
   void on_answer(planning_context& d, ticket number, const service_answer& answer) override;
+  void on_page_begun(planning_context& d, ticket number, const std::string& next) override;
   void on_store(planning_context& d, ticket number, const store_answer& answer) override;
 
 private:
@@ -40,6 +42,8 @@ private:
 
   [[nodiscard]] store_question question(const planning_context& d) const;
   void plan_loading(planning_context& d);
+  void on_page_ahead(const service_answer& answer);
+  void go_on_with_page_ahead(planning_context& d, const std::optional<std::string>& next);
   void take_page(planning_context& d, const service_answer& answer);
   // What bound has been passed; empty: none.
   [[nodiscard]] std::string passed_bound() const;
@@ -53,7 +57,16 @@ private:
   void end(planning_context& d, pull_state result);
 
   attempt attempt_; // a question to the store
-  attempt call_;    // a page
+  attempt call_;    // the next page
+  // The one after it, whose place the head of that one has named.
+  struct page_ahead {
+    std::string next{}; // its place; empty: it is not known
+    attempt call{};     // at most once
+    bool is_asked = false;
+    std::string following{}; // the place after it, as its own head has named it
+    std::optional<service_answer> came{};
+  };
+  page_ahead ahead_;
   stage stage_ = stage::choosing;
   std::string mission_id_;
   std::string reason_; // why it fails

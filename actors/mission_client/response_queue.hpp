@@ -1,8 +1,8 @@
 // What came back from the service and waits for the actor: between the connection's thread and the actor's.
 //
 // It stands outside of the mailbox and outlives the incarnations of the actor, so that an answer is one short wake-up
-// and a body of megabytes is moved, not copied. There is at most one answer for each call that was made, so that the
-// bound on calls bounds it too. Thread: any.
+// and a body of megabytes is moved, not copied. There is at most one answer for each call that was made, and
+// one notice before it, so that the bound on calls bounds it too. Thread: any.
 #pragma once
 
 #include <cstdint>
@@ -20,6 +20,7 @@ enum class ending {
   not_reached,   // the network, or a service that is starting: later the same call may go well
   misconfigured, // TLS, a redirect, the token file: a person has to act first
   bad_answer,    // what came is no answer of this contract: another content type, longer than there may be
+  page_begun,    // no end yet: a page comes, and the body here is the place of the next one
 };
 
 struct service_answer {

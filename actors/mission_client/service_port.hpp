@@ -19,7 +19,7 @@ struct service_call {
   std::string body{};
   std::string key{};                // the idempotency key of a POST; it is in the body too
   std::size_t max_answer_bytes = 0; // unpacked
-  bool accepts_compressed = false;
+  bool is_page = false; // of the map: it may come compressed, and name the next one before (ending::page_begun)
   std::chrono::milliseconds read_timeout{0};  // without a byte
   std::chrono::milliseconds total_timeout{0}; // from sending to the end of the answer
 };
@@ -32,7 +32,7 @@ public:
   virtual ~service_port() = default;
 
   // The number of the call. Exactly one answer with this number comes into the box later, unless it is cancelled
-  // or the process ends.
+  // or the process ends; before that of a page one page_begun may come.
   [[nodiscard]] virtual std::uint64_t send(service_call call) = 0;
   // Nobody waits for the answer any more; it may come all the same.
   virtual void cancel(std::uint64_t number) = 0;

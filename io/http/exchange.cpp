@@ -89,7 +89,7 @@ void exchange::use(std::unique_ptr<connection> ready) {
   body_sent_ = 0;
   is_sent_ = false;
   reader_.emplace(reader_rules{asked_.max_body_bytes.value_or(parts_.set.max_body_bytes), asked_.expected_content_type,
-                               false, asked_.on_body, asked_.accepts_compressed});
+                               false, asked_.on_body, asked_.accepts_compressed, asked_.on_head});
   last_byte_at_ = clock::now();
   watch_reading();
   send_piece();

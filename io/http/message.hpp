@@ -55,6 +55,8 @@ struct request {
   std::optional<std::chrono::milliseconds> read_timeout;
   std::optional<std::chrono::milliseconds> total_timeout;
 
+  // Sees the head of a 2xx answer before its body comes. Called in the client's thread.
+  std::function<void(const struct response& head)> on_head = {};
   // Takes the body of a 2xx answer piece by piece, instead of response::body. Called in the client's thread.
   body_sink on_body = {};
 };

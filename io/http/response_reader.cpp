@@ -160,8 +160,11 @@ result<void> response_reader::state::head_is_done() {
     return judged;
   if (const auto coding = parse_coding(answer.find("Content-Encoding")))
     decoder.emplace(*coding);
-  const bool is_too_large = is_success(status) && !parser.is_done() && length && *length > rules.max_body_bytes;
-  return is_too_large ? too_large() : result<void>{};
+  if (is_success(status) && !parser.is_done() && length && *length > rules.max_body_bytes)
+    return too_large();
+  if (is_success(status) && rules.on_head)
+    rules.on_head(answer);
+  return {};
 }
 
 // What lies in the buffer is the beginning of a head, or of the head of a chunk.

@@ -32,6 +32,7 @@ struct reader_rules {
   bool is_connect = false;           // the answer of a proxy to CONNECT: a 2xx has no body
   body_sink on_body = {};
   bool accepts_compressed = false; // then bodies are unpacked, and the bound is that of what is unpacked
+  std::function<void(const response& head)> on_head = {}; // of a 2xx answer
 };
 
 class response_reader {

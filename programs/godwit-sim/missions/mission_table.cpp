@@ -175,8 +175,8 @@ std::optional<page_place> parse_page_place(std::string_view text) {
   return page_place{numbers[0], numbers[1], numbers[2]};
 }
 
-std::optional<std::string> page(service_file& file, const mission_row& of, page_kind kind, const std::string& next,
-                                std::uint64_t limit) {
+std::optional<page_made> page(service_file& file, const mission_row& of, page_kind kind, const std::string& next,
+                              std::uint64_t limit) {
   const auto& how = kind == page_kind::map_objects ? map_object_rows : ignored_item_rows;
   const auto epoch = kind == page_kind::map_objects ? of.map_epoch : 0;
   const auto last = file.number(how.last, of.mission_id).value_or(0);
@@ -202,9 +202,10 @@ std::optional<std::string> page(service_file& file, const mission_row& of, page_
   std::string body =
       R"({"schema_version":")" + std::string(mission::schema_version) + R"(",")" + std::string(how.list) + R"(":[)";
   body.append(rows).append("]");
+  const auto following = is_full ? text_of(place) : std::string();
   if (is_full)
-    body.append(R"(,"next":")").append(text_of(place)).append("\"");
-  return body + "}";
+    body.append(R"(,"next":")").append(following).append("\"");
+  return page_made{body + "}", following};
 }
 
 void replace_map_objects(service_file& file, const std::string& mission_id,

@@ -89,9 +89,13 @@ struct page_place {
 
 enum class page_kind { map_objects, ignored_items };
 
-// The body of an answer. None: NEXT is not known (any more).
-[[nodiscard]] std::optional<std::string> page(service_file& file, const mission_row& of, page_kind kind,
-                                              const std::string& next, std::uint64_t limit);
+struct page_made {
+  std::string body;
+  std::string next; // empty: it is the last one
+};
+// None: NEXT is not known (any more).
+[[nodiscard]] std::optional<page_made> page(service_file& file, const mission_row& of, page_kind kind,
+                                            const std::string& next, std::uint64_t limit);
 
 void replace_map_objects(service_file& file, const std::string& mission_id,
                          const std::vector<mission::map_object>& objects);

@@ -16,10 +16,13 @@ namespace godwit::sim::missions {
 namespace {
 
 answer page_answer(service_file& file, const call& at, page_kind kind) {
-  auto body = page(file, at.mission, kind, at.to.next, at.to.limit);
-  if (!body)
+  auto made = page(file, at.mission, kind, at.to.next, at.to.limit);
+  if (!made)
     return problem_answer(400, "This `next` is not known, or not any more: begin with the first page.");
-  return {.body = *std::move(body), .headers = {}};
+  answer result{.body = std::move(made->body), .headers = {}};
+  if (!made->next.empty())
+    result.headers.push_back({"Next-Page", made->next});
+  return result;
 }
 
 } // namespace

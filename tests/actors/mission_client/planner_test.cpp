@@ -269,7 +269,7 @@ TEST(mission_client_planner, the_load_begins_before_the_first_page_is_asked_for)
   wanted = d.hear(wanted.questions[0].number, store::load_answer{7, store::map_failure::none, {}});
   ASSERT_EQ(wanted.calls.size(), 1U);
   EXPECT_EQ(wanted.calls[0].call.target, "/missions/" + mission_a + "/mapobjects?limit=2000");
-  EXPECT_TRUE(wanted.calls[0].call.accepts_compressed);
+  EXPECT_TRUE(wanted.calls[0].call.is_page);
 }
 
 // A planner whose store has begun a load; the first page is asked for.
@@ -307,6 +307,50 @@ TEST(mission_client_planner, a_page_is_asked_for_while_earlier_ones_go_into_the_
   EXPECT_EQ(std::get<store::load_page>(wanted.questions[0].question).number, 1);
   ASSERT_EQ(wanted.calls.size(), 1U);
   EXPECT_TRUE(wanted.calls[0].call.target.ends_with("&next=c"));
+}
+
+service_answer begun(const std::string& next) { return {.how = ending::page_begun, .status = 200, .body = next}; }
+
+TEST(mission_client_planner, a_page_whose_place_the_head_of_the_one_before_names_is_asked_for_before_that_has_come) {
+  planning_fixture d;
+  const auto first = at_the_first_page(d).calls.at(0).number;
+  auto wanted = d.answer(first, begun("b"));
+  ASSERT_EQ(wanted.calls.size(), 1U);
+  const auto second = wanted.calls[0].number;
+  EXPECT_TRUE(wanted.calls[0].call.target.ends_with("&next=b"));
+  EXPECT_TRUE(d.answer(first, begun("b")).calls.empty()) << "once";
+  EXPECT_TRUE(d.answer(second, begun("c")).calls.empty()) << "one ahead";
+  EXPECT_TRUE(d.answer(second, status(200, page("map_objects", "c"))).questions.empty()) << "they stay in their order";
+  wanted = d.answer(first, status(200, page("map_objects", "b")));
+  ASSERT_EQ(wanted.questions.size(), 1U);
+  EXPECT_EQ(std::get<store::load_page>(wanted.questions[0].question).number, 0);
+  EXPECT_TRUE(wanted.calls.empty()) << "two pages wait";
+  wanted = d.hear(wanted.questions[0].number, store::load_answer{7, store::map_failure::none, {}});
+  EXPECT_EQ(std::get<store::load_page>(wanted.questions.at(0).question).number, 1);
+  EXPECT_TRUE(wanted.calls.at(0).call.target.ends_with("&next=c"));
+}
+
+TEST(mission_client_planner, what_the_body_of_a_page_says_of_the_next_one_counts_and_not_its_head) {
+  planning_fixture d;
+  const auto first = at_the_first_page(d).calls.at(0).number;
+  const auto ahead = d.answer(first, begun("x")).calls.at(0).number;
+  const auto wanted = d.answer(first, status(200, page("map_objects", "b")));
+  EXPECT_EQ(wanted.cancelled, std::vector<ticket>{ahead});
+  ASSERT_EQ(wanted.calls.size(), 1U);
+  EXPECT_TRUE(wanted.calls[0].call.target.ends_with("&next=b"));
+}
+
+TEST(mission_client_planner, a_page_ahead_that_fails_is_asked_for_again_in_its_turn_and_ends_no_pull) {
+  for (const auto& failure : {status(400), status(503), service_answer{.how = ending::bad_answer}}) {
+    planning_fixture d;
+    const auto first = at_the_first_page(d).calls.at(0).number;
+    const auto ahead = d.answer(first, begun("b")).calls.at(0).number;
+    EXPECT_TRUE(d.answer(ahead, failure).calls.empty());
+    const auto wanted = d.answer(first, status(200, page("map_objects", "b")));
+    ASSERT_EQ(wanted.calls.size(), 1U);
+    EXPECT_TRUE(wanted.calls[0].call.target.ends_with("&next=b"));
+    EXPECT_EQ(d.s.now, phase::pulling);
+  }
 }
 
 TEST(mission_client_planner, a_load_is_finished_when_the_store_has_the_last_page_and_not_when_that_has_come) {

@@ -128,6 +128,9 @@ TEST(mission_service_host, a_page_comes_compressed_to_who_accepts_that_and_is_th
   EXPECT_EQ(plain->find("Content-Encoding"), "");
   EXPECT_EQ(small->find("Content-Encoding"), "zstd");
   EXPECT_EQ(small->body, plain->body);
+  EXPECT_EQ(small->find("Next-Page"), "") << "the last one";
+  const auto first = world.ask(method::get, "/mapobjects?limit=10");
+  EXPECT_EQ(first->find("Next-Page"), mission::read<mission::map_object_page>(first->body)->next);
   EXPECT_GT(small->body.size(), 50'000U);
 }
 

@@ -122,6 +122,26 @@ TEST_F(http_service_test, a_get_brings_status_and_body_and_wakes_the_actor) {
   EXPECT_EQ(got.body, "{}");
 }
 
+TEST_F(http_service_test,
+       the_head_of_a_page_names_the_next_one_before_its_body_comes_and_that_of_other_answers_does_not) {
+  open([](test::http_peer& peer, const test::http_request& asked) {
+    EXPECT_EQ(asked["Accept-Encoding"], asked.target() == "/page" ? "zstd, gzip" : "identity");
+    peer.write(test::http_answer("200 OK", "{}", "Content-Type: application/json\r\nNext-Page: b-1\r\n"));
+  });
+  auto page = get("/page");
+  page.is_page = true;
+  const auto begun = answer_to(page);
+  EXPECT_EQ(begun.how, ending::page_begun);
+  EXPECT_EQ(begun.body, "b-1");
+  std::optional<service_answer> end;
+  while (!(end = service_->answers().take()))
+    ASSERT_TRUE(bell_.wait());
+  EXPECT_EQ(end->number, begun.number);
+  EXPECT_EQ(end->how, ending::answered);
+  EXPECT_EQ(end->body, "{}");
+  EXPECT_EQ(answer_to(get("/other")).how, ending::answered);
+}
+
 TEST_F(http_service_test, a_post_carries_its_body_and_its_key) {
   open([](test::http_peer& peer, const test::http_request& asked) {
     EXPECT_EQ(asked.method_string(), "POST");

@@ -146,9 +146,7 @@ bool core::is_refused(decision_context& t, const station& from, const plan_wish&
     return false;
   const std::string name = what.clears ? "Clear" : "Upload";
   const auto objection = object_to(t, from.who, name);
-  const auto why = objection      ? objection->why
-                   : what.is_part ? why_no_part(from.who, what.mission_type)
-                                  : std::string();
+  const auto why = objection ? objection->why : what.is_part ? why_no_part(from.who, what.mission_type) : std::string();
   if (why.empty())
     return false;
   ++counts_.plans_refused;
@@ -165,7 +163,8 @@ std::string core::why_no_part(mavlink::sender who, std::uint8_t mission_type) co
   using mavlink::mav_mission_type;
   if (mission_type != mavlink::number(mav_mission_type::mission))
     return "only missions are changed in part";
-  return views_.shows(who, server_->plan(mav_mission_type::mission).id) ? "" : "download the plan first, it has changed";
+  return views_.shows(who, server_->plan(mav_mission_type::mission).id) ? ""
+                                                                        : "download the plan first, it has changed";
 }
 
 } // namespace godwit::ground_port

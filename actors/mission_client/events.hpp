@@ -33,37 +33,30 @@ struct progress_told {
   std::string mission_id;
   std::optional<std::uint32_t> last_report_no; // absent: it does not say
   std::optional<mission::progress_report> last_report{};
-  static constexpr auto fields =
-      io::table("mission_client.progress_told", io::field("mission_id", &progress_told::mission_id),
-                io::field("last_report_no", &progress_told::last_report_no),
-                io::field("last_report", &progress_told::last_report));
+  GODWIT_FIELDS(progress_told, "mission_client.progress_told", mission_id, last_report_no, last_report);
 };
 
 // The map store owes something for these missions.
 struct owed_found {
   std::vector<std::string> mission_ids;
-  static constexpr auto fields =
-      io::table("mission_client.owed_found", io::field("mission_ids", &owed_found::mission_ids));
+  GODWIT_FIELDS(owed_found, "mission_client.owed_found", mission_ids);
 };
 
 struct mission_fetched {
   mission::document document;
   std::optional<std::uint32_t> last_report_no; // that the service has of it; absent: it does not say
   std::optional<mission::progress_report> last_report{};
-  static constexpr auto fields =
-      io::table("mission_client.mission_fetched", io::field("document", &mission_fetched::document),
-                io::field("last_report_no", &mission_fetched::last_report_no),
-                io::field("last_report", &mission_fetched::last_report));
+  GODWIT_FIELDS(mission_fetched, "mission_client.mission_fetched", document, last_report_no, last_report);
 };
 
 struct fetch_failed {
   mission_refused refusal;
-  static constexpr auto fields = io::table("mission_client.fetch_failed", io::field("refusal", &fetch_failed::refusal));
+  GODWIT_FIELDS(fetch_failed, "mission_client.fetch_failed", refusal);
 };
 
 struct pull_ended {
   map_pulled result;
-  static constexpr auto fields = io::table("mission_client.pull_ended", io::field("result", &pull_ended::result));
+  GODWIT_FIELDS(pull_ended, "mission_client.pull_ended", result);
 };
 
 // The fate of a change was not known. Without a document: this is no mission that could be flown, REASON says why.
@@ -71,23 +64,19 @@ struct mission_looked_up {
   std::string mission_id;
   std::optional<mission::document> document;
   std::string reason;
-  static constexpr auto fields =
-      io::table("mission_client.mission_looked_up", io::field("mission_id", &mission_looked_up::mission_id),
-                io::field("document", &mission_looked_up::document), io::field("reason", &mission_looked_up::reason));
+  GODWIT_FIELDS(mission_looked_up, "mission_client.mission_looked_up", mission_id, document, reason);
 };
 
 struct assignments_seen {
   std::string mission_id;
   std::vector<mission::assignment> assignments;
-  static constexpr auto fields =
-      io::table("mission_client.assignments_seen", io::field("mission_id", &assignments_seen::mission_id),
-                io::field("assignments", &assignments_seen::assignments));
+  GODWIT_FIELDS(assignments_seen, "mission_client.assignments_seen", mission_id, assignments);
 };
 
 // The service has them.
 struct rows_delivered {
   std::vector<std::string> keys;
-  static constexpr auto fields = io::table("mission_client.rows_delivered", io::field("keys", &rows_delivered::keys));
+  GODWIT_FIELDS(rows_delivered, "mission_client.rows_delivered", keys);
 };
 
 // A try failed, and a later one may go well.
@@ -95,9 +84,7 @@ struct rows_failed {
   std::vector<std::string> keys; // of one lane
   std::string error;
   std::int64_t retry_after_ns = 0; // as the service asked
-  static constexpr auto fields =
-      io::table("mission_client.rows_failed", io::field("keys", &rows_failed::keys),
-                io::field("error", &rows_failed::error), io::field("retry_after_ns", &rows_failed::retry_after_ns));
+  GODWIT_FIELDS(rows_failed, "mission_client.rows_failed", keys, error, retry_after_ns);
 };
 
 // The service will never take them.
@@ -106,16 +93,13 @@ struct rows_refused {
   std::string reason;
   bool ends_lane = false; // nor what comes behind them
   std::uint32_t rows = 0; // of the map, in the one batch
-  static constexpr auto fields = io::table(
-      "mission_client.rows_refused", io::field("keys", &rows_refused::keys), io::field("reason", &rows_refused::reason),
-      io::field("ends_lane", &rows_refused::ends_lane), io::field("rows", &rows_refused::rows));
+  GODWIT_FIELDS(rows_refused, "mission_client.rows_refused", keys, reason, ends_lane, rows);
 };
 
 // 410: the service does not know the mission any more.
 struct mission_gone {
   std::string mission_id;
-  static constexpr auto fields =
-      io::table("mission_client.mission_gone", io::field("mission_id", &mission_gone::mission_id));
+  GODWIT_FIELDS(mission_gone, "mission_client.mission_gone", mission_id);
 };
 
 // A delivery of the map's rows. Its key exists before the store is asked for the rows.
@@ -123,51 +107,45 @@ struct batch_planned {
   std::string key;
   std::string mission_id;
   destination to = destination::observations;
-  static constexpr auto fields =
-      io::table("mission_client.batch_planned", io::field("key", &batch_planned::key),
-                io::field("mission_id", &batch_planned::mission_id), io::field("to", &batch_planned::to));
+  GODWIT_FIELDS(batch_planned, "mission_client.batch_planned", key, mission_id, to);
 };
 
 // The store has no row more for it.
 struct batch_empty {
   std::string key;
-  static constexpr auto fields = io::table("mission_client.batch_empty", io::field("key", &batch_empty::key));
+  GODWIT_FIELDS(batch_empty, "mission_client.batch_empty", key);
 };
 
 // The store has the rows of the batch back.
 struct batch_returned {
   std::string key;
-  static constexpr auto fields = io::table("mission_client.batch_returned", io::field("key", &batch_returned::key));
+  GODWIT_FIELDS(batch_returned, "mission_client.batch_returned", key);
 };
 
 // The answer to an insert or a tail.
 struct change_done {
   std::string key;
   mission::document document;
-  static constexpr auto fields = io::table("mission_client.change_done", io::field("key", &change_done::key),
-                                           io::field("document", &change_done::document));
+  GODWIT_FIELDS(change_done, "mission_client.change_done", key, document);
 };
 
 struct change_failed {
   std::string key;
   change_verdict verdict = change_verdict::unknown;
   std::string reason;
-  static constexpr auto fields =
-      io::table("mission_client.change_failed", io::field("key", &change_failed::key),
-                io::field("verdict", &change_failed::verdict), io::field("reason", &change_failed::reason));
+  GODWIT_FIELDS(change_failed, "mission_client.change_failed", key, verdict, reason);
 };
 
 // The store has done the oldest store_operation.
 struct store_operation_done {
   store_operation what;
-  static constexpr auto fields =
-      io::table("mission_client.errand_done", io::field("what", &store_operation_done::what));
+  GODWIT_FIELDS(store_operation_done, "mission_client.errand_done", what);
 };
 
 // The wall clock was set; what was noted under it moves along.
 struct clock_jumped {
   std::int64_t by_ns = 0;
-  static constexpr auto fields = io::table("mission_client.clock_jumped", io::field("by_ns", &clock_jumped::by_ns));
+  GODWIT_FIELDS(clock_jumped, "mission_client.clock_jumped", by_ns);
 };
 
 using event = std::variant<begin_mission, pull_map, accept_copy, push_map, report_progress, respond_to_assignment,
@@ -185,19 +163,13 @@ enum class noted_as {
   dropped
 };
 
-constexpr auto enum_names(noted_as) {
-  return io::names<noted_as>({{noted_as::waiting, "waiting"},
-                              {noted_as::delivered, "delivered"},
-                              {noted_as::returned, "returned"},
-                              {noted_as::dropped, "dropped"}});
-}
+GODWIT_ENUM_NAMES(noted_as, waiting, delivered, returned, dropped);
 
 // For people: the row as the journal's table of deliveries is to show it.
 struct row_noted {
   outbox_row row;
   noted_as how = noted_as::waiting; // as the row says, or it has left the outbox
-  static constexpr auto fields =
-      io::table("mission_client.row_noted", io::field("row", &row_noted::row), io::field("how", &row_noted::how));
+  GODWIT_FIELDS(row_noted, "mission_client.row_noted", row, how);
 };
 
 // Time to shorten that table.
@@ -210,8 +182,7 @@ struct on_disk {
   static constexpr auto goes_out = runtime::effect_kind::after_commit;
   std::uint64_t below_order = 0;
   bool frees_lanes = false; // by a person's will also those that were not allowed
-  static constexpr auto fields = io::table("mission_client.on_disk", io::field("below_order", &on_disk::below_order),
-                                           io::field("frees_lanes", &on_disk::frees_lanes));
+  GODWIT_FIELDS(on_disk, "mission_client.on_disk", below_order, frees_lanes);
 };
 
 using effect =

@@ -28,14 +28,7 @@ namespace godwit::mission_client {
 
 enum class destination { progress, assignment_response, waypoint, tail, observations, ignored_items };
 
-constexpr auto enum_names(destination) {
-  return io::names<destination>({{destination::progress, "progress"},
-                                 {destination::assignment_response, "assignment_response"},
-                                 {destination::waypoint, "waypoint"},
-                                 {destination::tail, "tail"},
-                                 {destination::observations, "observations"},
-                                 {destination::ignored_items, "ignored_items"}});
-}
+GODWIT_ENUM_NAMES(destination, progress, assignment_response, waypoint, tail, observations, ignored_items);
 
 // Somebody waits for these.
 [[nodiscard]] constexpr bool is_change(destination to) {
@@ -48,10 +41,7 @@ constexpr auto enum_names(destination) {
 
 enum class row_state { pending, orphaned, expired };
 
-constexpr auto enum_names(row_state) {
-  return io::names<row_state>(
-      {{row_state::pending, "pending"}, {row_state::orphaned, "orphaned"}, {row_state::expired, "expired"}});
-}
+GODWIT_ENUM_NAMES(row_state, pending, orphaned, expired);
 
 struct outbox_row {
   std::string key{}; // made before the first try, never changed
@@ -68,14 +58,8 @@ struct outbox_row {
   row_state state = row_state::pending;
   bool is_flown = false;  // a change that the vehicle flies already: kept until the service has it
   bool goes_back = false; // of the map: the service will not have it under this key; the store gets its rows back
-  static constexpr auto fields =
-      io::table("mission_client.outbox_row", io::field("key", &outbox_row::key), io::field("to", &outbox_row::to),
-                io::field("mission_id", &outbox_row::mission_id), io::field("subject", &outbox_row::subject),
-                io::field("body", &outbox_row::body), io::field("order", &outbox_row::order),
-                io::field("created_ns", &outbox_row::created_ns), io::field("tries", &outbox_row::tries),
-                io::field("last_error", &outbox_row::last_error), io::field("next_try_ns", &outbox_row::next_try_ns),
-                io::field("first_failure_ns", &outbox_row::first_failure_ns), io::field("state", &outbox_row::state),
-                io::field("goes_back", &outbox_row::goes_back), io::field("is_flown", &outbox_row::is_flown));
+  GODWIT_FIELDS(outbox_row, "mission_client.outbox_row", key, to, mission_id, subject, body, order, created_ns, tries,
+                last_error, next_try_ns, first_failure_ns, state, goes_back, is_flown);
 };
 
 // Somebody waits for the answer.

@@ -27,11 +27,8 @@ struct recorded_answer {
   std::string error;
   std::uint32_t parts = 1; // the first one has all of the above
   std::string body;        // of this part
-  static constexpr auto fields = io::table(
-      "mission_client.recorded_answer", io::field("call", &recorded_answer::call),
-      io::field("how", &recorded_answer::how), io::field("status", &recorded_answer::status),
-      io::field("retry_after_ns", &recorded_answer::retry_after_ns), io::field("error", &recorded_answer::error),
-      io::field("parts", &recorded_answer::parts), io::field("body", &recorded_answer::body));
+  GODWIT_FIELDS(recorded_answer, "mission_client.recorded_answer", call, how, status, retry_after_ns, error, parts,
+                body);
 };
 
 // Below what the trace takes of a message.

@@ -25,14 +25,7 @@ namespace godwit::mission_client {
 
 enum class phase { idle, delivering_earlier, fetching, pulling, ready, refused };
 
-constexpr auto enum_names(phase) {
-  return io::names<phase>({{phase::idle, "idle"},
-                           {phase::delivering_earlier, "delivering_earlier"},
-                           {phase::fetching, "fetching"},
-                           {phase::pulling, "pulling"},
-                           {phase::ready, "ready"},
-                           {phase::refused, "refused"}});
-}
+GODWIT_ENUM_NAMES(phase, idle, delivering_earlier, fetching, pulling, ready, refused);
 
 // Missions of which something is known; the oldest with nothing owed is forgotten.
 inline constexpr std::size_t max_mission_notes = 64;
@@ -65,18 +58,9 @@ struct mission_note {
   std::uint32_t lost_reports = 0;         // that did not come here, or for which there was no room
   std::uint32_t seen_limit = 0;           // rows of the next batch, because larger ones were refused; 0: as it is set
   std::uint32_t ignored_limit = 0;        // the same of ignored items
-  static constexpr auto fields = io::table(
-      "mission_client.mission_note", io::field("mission_id", &mission_note::mission_id),
-      io::field("is_deleted", &mission_note::is_deleted), io::field("is_pushing", &mission_note::is_pushing),
-      io::field("was_asked", &mission_note::was_asked), io::field("seen_done", &mission_note::seen_done),
-      io::field("ignored_done", &mission_note::ignored_done),
-      io::field("last_report_no", &mission_note::last_report_no),
-      io::field("service_report_no", &mission_note::service_report_no),
-      io::field("sure_report_no", &mission_note::sure_report_no),
-      io::field("asks_progress", &mission_note::asks_progress),
-      io::field("service_report", &mission_note::service_report), io::field("left_out", &mission_note::left_out),
-      io::field("lost_reports", &mission_note::lost_reports), io::field("seen_limit", &mission_note::seen_limit),
-      io::field("ignored_limit", &mission_note::ignored_limit));
+  GODWIT_FIELDS(mission_note, "mission_client.mission_note", mission_id, is_deleted, is_pushing, was_asked, seen_done,
+                ignored_done, last_report_no, service_report_no, sure_report_no, asks_progress, service_report,
+                left_out, lost_reports, seen_limit, ignored_limit);
 
   [[nodiscard]] bool is_done(destination to) const {
     return to == destination::observations ? seen_done : ignored_done;
@@ -93,27 +77,19 @@ struct mission_note {
 struct open_assignment {
   mission::assignment what;
   bool is_responded = false; // and the response is not delivered yet
-  static constexpr auto fields = io::table("mission_client.open_assignment", io::field("what", &open_assignment::what),
-                                           io::field("is_responded", &open_assignment::is_responded));
+  GODWIT_FIELDS(open_assignment, "mission_client.open_assignment", what, is_responded);
 };
 
 // What the map store has to be told, until it has confirmed it.
 enum class store_operation_kind { delete_mission, orphan_mission, requeue_mission, accept_copy };
 
-constexpr auto enum_names(store_operation_kind) {
-  return io::names<store_operation_kind>({{store_operation_kind::delete_mission, "delete_mission"},
-                                          {store_operation_kind::orphan_mission, "orphan_mission"},
-                                          {store_operation_kind::requeue_mission, "requeue_mission"},
-                                          {store_operation_kind::accept_copy, "accept_copy"}});
-}
+GODWIT_ENUM_NAMES(store_operation_kind, delete_mission, orphan_mission, requeue_mission, accept_copy);
 
 struct store_operation {
   store_operation_kind kind = store_operation_kind::delete_mission;
   std::string mission_id; // empty, to queue again: all
   std::string reason;
-  static constexpr auto fields =
-      io::table("mission_client.errand", io::field("kind", &store_operation::kind),
-                io::field("mission_id", &store_operation::mission_id), io::field("reason", &store_operation::reason));
+  GODWIT_FIELDS(store_operation, "mission_client.errand", kind, mission_id, reason);
 };
 
 struct state {

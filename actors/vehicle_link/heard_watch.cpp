@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "io/mavlink/enums.hpp"
+#include "messages/vehicle_link/connection.hpp"
 
 namespace godwit::vehicle_link {
 
@@ -98,7 +99,7 @@ std::string heard_watch::list(const unusable_frames& until_now, std::int64_t now
 
 std::string heard_watch::sentence(const unusable_frames& until_now, std::int64_t now_ns) const {
   const auto all = list(until_now, now_ns, with::numbers);
-  return all.empty() ? all : "; heard and not accepted: " + all;
+  return all.empty() ? all : std::string(heard_instead) + all;
 }
 
 bool heard_watch::on_announcement(const unusable_frames& until_now, std::int64_t now_ns) {

@@ -17,22 +17,20 @@ namespace godwit::vehicle_link {
 struct signing_time_reserved {
   static constexpr auto goes_out = runtime::effect_kind::after_commit;
   std::uint64_t ceiling = 0;
-  static constexpr auto fields =
-      io::table("vehicle_link.signing_time_reserved", io::field("ceiling", &signing_time_reserved::ceiling));
+  GODWIT_FIELDS(signing_time_reserved, "vehicle_link.signing_time_reserved", ceiling);
 };
 
 // The flight that is open is flown with this vehicle: until it is over no other one is taken. None: no flight is open.
 struct vehicle_kept {
   std::optional<vehicle_name> who;
-  static constexpr auto fields = io::table("vehicle_link.vehicle_kept", io::field("who", &vehicle_kept::who));
+  GODWIT_FIELDS(vehicle_kept, "vehicle_link.vehicle_kept", who);
 };
 
 struct state {
   std::uint64_t signing_ceiling = 0;
   std::optional<vehicle_name> kept;
   static constexpr int version = 1;
-  static constexpr auto fields = io::table("vehicle_link.state", io::field("signing_ceiling", &state::signing_ceiling),
-                                           io::field("kept", &state::kept));
+  GODWIT_FIELDS(state, "vehicle_link.state", signing_ceiling, kept);
 };
 
 // The durable part: a reservation is an event, and what comes of it is the permission to use it.

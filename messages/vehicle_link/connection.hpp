@@ -109,6 +109,8 @@ struct connection {
 
 // How a reason begins when frames come and are not believed.
 inline constexpr std::string_view refused_for_signature = "frames are refused for their signature";
+// In a reason: what follows is heard in place of a vehicle.
+inline constexpr std::string_view heard_instead = "; heard and not accepted: ";
 
 // Told to listeners at each change of phase, and when it turns out why nothing is heard.
 struct connection_changed {

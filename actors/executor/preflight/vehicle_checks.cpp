@@ -21,6 +21,12 @@ std::string named(const vehicle_link::line_findings& line) {
   return result;
 }
 
+// With the semicolon before it; empty: nothing.
+std::string heard_instead_of_it(const std::string& reason) {
+  const auto at = reason.find(vehicle_link::heard_instead);
+  return at == std::string::npos ? std::string() : reason.substr(at);
+}
+
 } // namespace
 
 result check_vehicle_link(const facts& seen, const settings&) {
@@ -38,7 +44,8 @@ result check_vehicle_link(const facts& seen, const settings&) {
                   ". Set vehicle.system to the id of yours, and start godwitd again.");
     return pass("The vehicle is heard.");
   case connection_phase::silent:
-    return fail("No autopilot is heard on the link; switch the vehicle on, and look at the speed of the line.");
+    return fail("No autopilot is heard on the link" + heard_instead_of_it(seen.vehicle.link_reason) +
+                "; switch the vehicle on, and look at the speed of the line.");
   case connection_phase::lost:
     return fail("The vehicle is not heard any more; look at its power and its cable or radio.");
   case connection_phase::down:

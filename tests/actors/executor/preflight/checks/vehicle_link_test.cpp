@@ -58,5 +58,15 @@ TEST(vehicle_link_check, a_vehicle_with_another_key_is_not_called_silent) {
   EXPECT_NE(verdict.sentence.find("another key"), std::string::npos);
 }
 
+TEST(vehicle_link_check, names_what_is_heard_in_place_of_a_vehicle) {
+  auto seen = good_facts();
+  seen.vehicle.link = connection_phase::silent;
+  seen.vehicle.link_reason =
+      "no heartbeat of an autopilot yet; heard and not accepted: ground station 255/190 (12 heartbeats)";
+  EXPECT_EQ(check_vehicle_link(seen, {}),
+            fail("No autopilot is heard on the link; heard and not accepted: ground station 255/190 (12 heartbeats); "
+                 "switch the vehicle on, and look at the speed of the line."));
+}
+
 } // namespace vehicle_link_test
 } // namespace godwit::executor::preflight

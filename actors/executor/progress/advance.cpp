@@ -118,7 +118,11 @@ taken_jump& count_of(decision_context& t, const plan_loop& loop) {
   auto& jumps = t.s.mission->jumps;
   const auto& id = jump_of(t, loop);
   const auto known = std::ranges::find(jumps, id, &taken_jump::item_id);
-  return known != jumps.end() ? *known : jumps.emplace_back(taken_jump{.item_id = id});
+  if (known != jumps.end())
+    return *known;
+  if (jumps.size() == max_mapped_items) // of revisions long past
+    jumps.erase(jumps.begin());
+  return jumps.emplace_back(taken_jump{.item_id = id});
 }
 
 // A vehicle that forgets its count as it leaves a loop counts anew when it comes there again.

@@ -36,7 +36,7 @@ struct mission_record {
   std::uint32_t report_no = 0;                         // of the last report
   std::optional<mission::progress_report> last_report; // what the answer to an assignment tells
   std::optional<std::int32_t> completed_revision;      // complete is reported once for each
-  std::vector<taken_jump> jumps = {};                  // those that were taken; as many as the mission has
+  std::vector<taken_jump> jumps = {};                  // those that were taken; max_mapped_items, then the oldest goes
   GODWIT_FIELDS(mission_record, "executor.progress_mission_record", mission_id, revision, report_no, last_report,
                 completed_revision, jumps);
 };

@@ -46,7 +46,7 @@ constexpr std::uint64_t first_of_failsafe = 1ULL << 40U;
 flight_world::flight_world(const options& wanted)
     : who_(wanted.who), map_(wanted.map), failsafe_settings_(wanted.failsafe), link_(new_link()),
       test_rng_(wanted.seed), lost_(wanted.lost), doubled_(wanted.doubled), late_(wanted.late),
-      most_delay_ms_(wanted.most_delay_ms) {
+      most_delay_ms_(wanted.most_delay_ms), keeps_order_(wanted.keeps_order) {
   if (wanted.has_service)
     settings_.mission_id = short_mission(wanted.who).mission_id;
   settings_.has_service = wanted.has_service;
@@ -378,7 +378,10 @@ void flight_world::carry(
     const auto delay_ms =
         most_delay_ms_ <= 1 ? 1 : std::uniform_int_distribution<std::int64_t>(1, most_delay_ms_)(test_rng_);
     const std::int64_t held_ms = falls(late_) ? late_ms : 0;
-    time_.at(time_.now_ns() + (delay_ms + held_ms) * 1'000'000, [bytes, deliver] { deliver(bytes); });
+    auto at_ns = time_.now_ns() + (delay_ms + held_ms) * 1'000'000;
+    if (keeps_order_)
+      at_ns = newest_arrival_ns_ = std::max(at_ns, newest_arrival_ns_);
+    time_.at(at_ns, [bytes, deliver] { deliver(bytes); });
   }
 }
 

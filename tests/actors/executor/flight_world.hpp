@@ -55,6 +55,7 @@ public:
     double doubled = 0;
     double late = 0;                // by a second and a half
     std::int64_t most_delay_ms = 1; // frames overtake each other when it is above 1
+    bool keeps_order = false;       // but not on such a line: a serial one, TCP
     std::uint64_t seed = 1;
     bool holds_when_landed = false;       // of a PX4
     int rtl_autoland = 3;                 // of a plane
@@ -299,6 +300,8 @@ private:
   double doubled_ = 0;
   double late_ = 0;
   std::int64_t most_delay_ms_ = 1;
+  bool keeps_order_ = false;
+  std::int64_t newest_arrival_ns_ = 0;
   std::int64_t cut_until_ns_ = 0;
   std::map<std::uint64_t, bool> asked_; // of the link, and not answered yet; true: a transfer
   std::set<std::uint64_t> looks_;       // the same

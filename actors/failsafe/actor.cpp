@@ -90,6 +90,8 @@ actor::behavior_type actor::handlers() {
           on<ground_port::operator_link>([this](const ground_port::operator_link& m) {
             core_->take(operator_heard{m.ever_heard, m.age_ms}, now());
           }),
+          on<operator_bridge::holder_heard>(
+              [this](const operator_bridge::holder_heard&) { core_->take(controller_heard{}, now()); }),
           on<tick>([this](const tick& which) {
             if (which.number == tick_number_)
               on_tick();

@@ -111,6 +111,8 @@ void core::take_one(const command_resolved& what, instant) {
 
 void core::take_one(const operator_heard& what, instant now) { link_.on_report(what.ever_heard, what.age_ms, now); }
 
+void core::take_one(const controller_heard&, instant now) { link_.on_controller(now); }
+
 void core::take_one(const asked_override& what, instant) {
   if (wanted_overrides_.size() < max_waiting_overrides)
     wanted_overrides_.push_back(what);

@@ -86,6 +86,7 @@ private:
   void take_one(const autopilot_text& what, instant now);
   void take_one(const command_resolved& what, instant now);
   void take_one(const operator_heard& what, instant now);
+  void take_one(const controller_heard& what, instant now);
   void take_one(const asked_override& what, instant now);
   void take_one(const hand_back& what, instant now);
   void take_one(const asked_guard& what, instant now);

@@ -93,6 +93,9 @@ struct operator_heard {
   std::int64_t age_ms = -1; // since the last heartbeat of any station
 };
 
+// Whoever has control by operator_bridge, just now.
+struct controller_heard {};
+
 // What others ask for has the id of the request, which the answer carries. It is whole as it comes: see the messages.
 struct asked_override {
   std::uint64_t request_id = 0;
@@ -106,9 +109,10 @@ struct asked_guard {
   guard_mission what;
 };
 
-using event = std::variant<heartbeat, modes_told, landed, position, home_told, battery, mission_current, autopilot_text,
-                           command_resolved, operator_heard, asked_override, hand_back, asked_guard, expect_mode,
-                           taken_over, command_pending, following, vehicle_link::foreign_act, return_taken>;
+using event =
+    std::variant<heartbeat, modes_told, landed, position, home_told, battery, mission_current, autopilot_text,
+                 command_resolved, operator_heard, controller_heard, asked_override, hand_back, asked_guard,
+                 expect_mode, taken_over, command_pending, following, vehicle_link::foreign_act, return_taken>;
 
 using godwit::instant;
 using godwit::ns_per_ms;

@@ -44,6 +44,9 @@ public:
 
   // A port that was restarted has never heard anybody: that says nothing of what was before.
   void on_report(bool ever_heard, std::int64_t age_ms, instant now);
+  // Whoever has control on the page or by the API is there: the silence of a station begins anew. That alone makes
+  // nobody a station that can be lost: who closes the page has not called the vehicle home.
+  void on_controller(instant now) { heard_ns_ = now.monotonic_ns; }
   // True: the link was lost, and is not waited for any more.
   bool on_hand_back(instant now);
   void on_following(bool following) { memory_.following = following; }

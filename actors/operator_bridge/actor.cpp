@@ -6,9 +6,10 @@ namespace godwit::operator_bridge {
 
 actor::actor(runtime::spawn_context context, const settings& configured, executor_handle executor,
              std::shared_ptr<presence> shown, std::vector<control_listener> listeners,
-             std::shared_ptr<session_ends> ends)
+             std::shared_ptr<session_ends> ends, std::vector<holder_ear> holder_ears)
     : durable_actor(std::move(context)), settings_(configured), executor_(std::move(executor)),
-      presence_(std::move(shown)), listeners_(std::move(listeners)), ends_(std::move(ends)) {}
+      presence_(std::move(shown)), listeners_(std::move(listeners)), ends_(std::move(ends)),
+      holder_ears_(std::move(holder_ears)) {}
 
 actor::~actor() = default;
 
@@ -120,6 +121,11 @@ void actor::tell_control() {
 void actor::show_presence() {
   if (const auto heard_ns = core_->operator_heard_ns())
     at_end([this, at_ns = *heard_ns] { presence_->hear(at_ns); });
+  if (core_->takes_holder_news(now()))
+    at_end([this] {
+      for (const auto& each : holder_ears_)
+        tell(each, holder_heard{});
+    });
 }
 
 void actor::plan_deadline() {

@@ -29,7 +29,8 @@ public:
 
   actor(runtime::spawn_context context, const settings& configured, executor_handle executor,
         std::shared_ptr<presence> shown = std::make_shared<presence>(), std::vector<control_listener> listeners = {},
-        std::shared_ptr<session_ends> ends = std::make_shared<session_ends>());
+        std::shared_ptr<session_ends> ends = std::make_shared<session_ends>(),
+        std::vector<holder_ear> holder_ears = {});
   ~actor() override;
 
 protected:
@@ -65,6 +66,7 @@ private:
   std::shared_ptr<presence> presence_;
   std::vector<control_listener> listeners_;
   std::shared_ptr<session_ends> ends_;
+  std::vector<holder_ear> holder_ears_;
   std::optional<std::string> told_control_; // the name; none: nobody was told yet
   std::optional<core> core_;
 };

@@ -19,9 +19,12 @@ const principal* control::holder(instant now) const {
   return s_.control && !is_silent(now) ? &s_.control->who : nullptr;
 }
 
-void control::hear(const principal& who, instant now) {
-  if (const auto* has = holder(now); has != nullptr && is_same(*has, who))
-    heard_ns_ = now.monotonic_ns;
+bool control::hear(const principal& who, instant now) {
+  const auto* has = holder(now);
+  if (has == nullptr || !is_same(*has, who))
+    return false;
+  heard_ns_ = now.monotonic_ns;
+  return true;
 }
 
 std::string control::objection_to(const principal& who, instant now) const {

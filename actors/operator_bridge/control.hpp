@@ -25,8 +25,8 @@ public:
 
   control(const state& durable, audit& rows, instant now) : s_(durable), audit_(rows), heard_ns_(now.monotonic_ns) {}
 
-  // WHO was heard.
-  void hear(const operators::principal& who, instant now);
+  // WHO was heard. True: WHO has control.
+  bool hear(const operators::principal& who, instant now);
   // Why WHO may not command now; empty: nothing stands against it.
   [[nodiscard]] std::string objection_to(const operators::principal& who, instant now) const;
   // BY is known. TO: of a hand_over, who that is; none: nobody of that name is logged in.

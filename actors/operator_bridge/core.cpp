@@ -1,6 +1,7 @@
 #include "actors/operator_bridge/core.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "actors/operator_bridge/command_text.hpp"
 
@@ -96,9 +97,17 @@ bool core::is_known(effects& out, const principal& by, const std::string& what, 
 }
 
 void core::hear(const principal& who, instant now) {
-  control_.hear(who, now);
+  is_holder_heard_ = control_.hear(who, now) || is_holder_heard_;
   if (who.role >= role::operator_)
     operator_heard_ns_ = now.monotonic_ns;
+}
+
+bool core::takes_holder_news(instant now) {
+  const bool is_due = holder_told_ns_ == 0 || now.monotonic_ns - holder_told_ns_ >= holder_news_ns;
+  if (!std::exchange(is_holder_heard_, false) || !is_due)
+    return false;
+  holder_told_ns_ = now.monotonic_ns;
+  return true;
 }
 
 core::under_way* core::find_under_way(const operator_command& m) {

@@ -37,6 +37,7 @@ public:
   static constexpr std::int64_t usual_validity_ns = 10 * ns_per_s;   // of a command that does not say it
   static constexpr std::int64_t longest_validity_ns = 60 * ns_per_s; // so that its id is known until it is late
   static constexpr std::int64_t release_within_ns = 1'500'000'000;   // or the disk is too slow for it
+  static constexpr std::int64_t holder_news_ns = 1 * ns_per_s;
   static constexpr std::size_t max_under_way = 16;
   static constexpr std::size_t max_stops_under_way = 8; // of one kind; more wait for the answer of the newest
   static constexpr std::size_t max_askers = 8;          // of one command
@@ -77,6 +78,9 @@ public:
   // When somebody who may fly was heard last; none: nobody yet.
   [[nodiscard]] std::optional<std::int64_t> operator_heard_ns() const { return operator_heard_ns_; }
 
+  // True: whoever has control was heard since the last call, and others are to be told.
+  [[nodiscard]] bool takes_holder_news(instant now);
+
 private:
   struct under_way {
     kept_command as;
@@ -112,6 +116,8 @@ private:
   std::uint64_t commands_ = 0;
   std::uint64_t refused_ = 0;
   std::optional<std::int64_t> operator_heard_ns_; // monotonic
+  bool is_holder_heard_ = false;                  // since that was asked
+  std::int64_t holder_told_ns_ = 0;               // monotonic
 };
 
 } // namespace godwit::operator_bridge

@@ -7,6 +7,7 @@
 #include "messages/failsafe/types.hpp"
 #include "messages/ground_port/mission.hpp"
 #include "messages/ground_port/types.hpp"
+#include "messages/operator_bridge/control.hpp"
 #include "messages/vehicle_link/types.hpp"
 #include "runtime/seam.hpp"
 
@@ -26,9 +27,11 @@ using telemetry_handle =
                      runtime::tells<io::mavlink::current_mode>, runtime::tells<io::mavlink::statustext>,
                      runtime::tells<vehicle_link::connection_changed>, runtime::tells<vehicle_link::foreign_act>>;
 
-// All of it; ground_port tells operator_link.
-using own_handle = runtime::combine<handle, telemetry_handle,
-                                    runtime::mailbox<runtime::tells<ground_port::operator_link>, runtime::tells<tick>>>;
+// All of it; ground_port tells operator_link, operator_bridge holder_heard.
+using own_handle =
+    runtime::combine<handle, telemetry_handle,
+                     runtime::mailbox<runtime::tells<ground_port::operator_link>,
+                                      runtime::tells<operator_bridge::holder_heard>, runtime::tells<tick>>>;
 
 // What the failsafe needs of the link to the vehicle.
 using vehicle_handle = runtime::mailbox<runtime::asks<vehicle_link::send_command, vehicle_link::command_outcome>,

@@ -49,6 +49,11 @@ struct control_news {
   GODWIT_FIELDS(control_news, "operator_bridge.control_news", holder);
 };
 
+// Whoever has control was heard just now: told as it happens, at most once in holder_news_ns.
+struct holder_heard {
+  static constexpr auto fields = io::table("operator_bridge.holder_heard");
+};
+
 struct get_operators {
   static constexpr auto fields = io::table("operator_bridge.get_operators");
 };

@@ -24,6 +24,9 @@ using door_handle = runtime::mailbox<runtime::asks<open_session, session_answer>
 // Who has to know who has control.
 using control_listener = runtime::mailbox<runtime::tells<control_news>>;
 
+// Who counts whoever has control as somebody who is there.
+using holder_ear = runtime::mailbox<runtime::tells<holder_heard>>;
+
 // Who reads the accounts.
 using accounts_handle = runtime::mailbox<runtime::tells<accounts_read>>;
 

@@ -179,7 +179,8 @@ flight_actors add_flight(runtime::system& actors, const daemon_settings& setting
     base.of_vehicle->add(made.ground);
   }
   made.bridge = actors.add<operator_bridge::actor>({.name = "operator_bridge"}, replaceable, settings.sessions,
-                                                   made.executor, operators, of_control, outside.session_ends);
+                                                   made.executor, operators, of_control, outside.session_ends,
+                                                   std::vector<operator_bridge::holder_ear>{base.failsafe});
   of_ground->bridge = made.bridge;
   of_executor->vehicle = base.vehicle;
   of_executor->guardian = actors.guardian();

@@ -47,6 +47,22 @@ TEST(link_ladder, a_station_that_is_heard_again_makes_it_ok) {
   EXPECT_EQ(ladder.evaluate(at(35'900)), link_phase::degraded) << "heard at 30.9 s";
 }
 
+TEST(link_ladder, who_has_control_is_there_in_place_of_a_silent_station) {
+  auto ladder = seen_at_0();
+  ladder.on_controller(at(20'000));
+  EXPECT_EQ(ladder.evaluate(at(24'000)), link_phase::ok);
+  EXPECT_EQ(ladder.evaluate(at(49'000)), link_phase::degraded);
+  EXPECT_EQ(ladder.evaluate(at(50'000)), link_phase::lost);
+  ladder.on_controller(at(51'000));
+  EXPECT_EQ(ladder.evaluate(at(51'000)), link_phase::ok);
+}
+
+TEST(link_ladder, who_closes_the_page_has_not_called_the_vehicle_home) {
+  link_ladder ladder({}, {}, at(0));
+  ladder.on_controller(at(1'000));
+  EXPECT_EQ(ladder.evaluate(at(1'000'000)), link_phase::never_seen);
+}
+
 TEST(link_ladder, once_seen_never_seen_is_never_lost) {
   link_ladder ladder({}, {}, at(0));
   ladder.on_report(false, -1, at(1'000));

@@ -46,6 +46,26 @@ TEST(operator_control, who_had_it_has_10_s_behind_a_restart) {
   EXPECT_FALSE(desk.durable.control);
 }
 
+TEST(operator_control, others_hear_at_most_once_a_second_that_its_holder_is_there_and_of_nobody_else) {
+  bridge_desk desk;
+  (void)desk.log_in("bob");
+  (void)desk.pilot();
+  (void)desk.decides().on_identify({"hash of bob"}, desk.now);
+  (void)desk.decides().takes_holder_news(desk.now);
+  EXPECT_FALSE(desk.decides().takes_holder_news(desk.now));
+  int told = 0;
+  for (int i = 0; i < 50; ++i) { // a request each 100 ms
+    desk.pass(s / 10);
+    (void)desk.decides().on_identify({"hash of anna"}, desk.now);
+    (void)desk.decides().on_identify({"hash of bob"}, desk.now);
+    told += desk.decides().takes_holder_news(desk.now) ? 1 : 0;
+  }
+  EXPECT_EQ(told, 5);
+  desk.pass(2 * s);
+  (void)desk.decides().on_identify({"hash of bob"}, desk.now);
+  EXPECT_FALSE(desk.decides().takes_holder_news(desk.now));
+}
+
 TEST(operator_control, nobody_commands_in_a_session_without_having_taken_it) {
   bridge_desk desk;
   EXPECT_EQ(desk.say_all_the_way(desk.command(desk.log_in("anna"), command_kind::start)), verdict::no_control);

@@ -263,10 +263,10 @@ void background_model::update(const cv::Rect& part) {
 
 namespace {
 
-constexpr float kept = 0.97F;      // of what was seen before, each picture
-constexpr float fewest_seen = 600; // pixels
-constexpr float least_heap = 2.0F; // of three bins around the ratio, by what they would hold if all ratios were alike
-constexpr std::size_t beside = 1;  // bins on each side
+constexpr float kept_share = 0.97F; // of what was seen before, each picture
+constexpr float fewest_seen = 600;  // pixels
+constexpr float least_heap = 2.0F;  // of three bins around the ratio, by what they would hold if all ratios were alike
+constexpr std::size_t beside = 1;   // bins on each side
 
 } // namespace
 
@@ -289,7 +289,7 @@ void shadow_ratio::end_picture() {
     found_ = sum / most;
   }
   for (auto& each : counts_)
-    each *= kept;
+    each *= kept_share;
 }
 
 } // namespace godwit::eyes

@@ -19,7 +19,7 @@ constexpr double gain_a_s = 30; // of the evidence
 constexpr int evidence_lost = 30;
 constexpr int enough_evidence = 60;
 constexpr int most_evidence = 250;
-constexpr int fewest_pixels = 12;       // single ones are chance
+constexpr int fewest_still_pixels = 12; // single ones are chance
 const cv::Size between_letters(41, 11); // digits that change lie among letters that stay
 const cv::Size around_it(13, 13);
 
@@ -66,7 +66,7 @@ void still_parts::compare(const cv::Mat& now) {
   cv::subtract(evidence_, cv::Scalar(evidence_lost), evidence_, from_itself >= 2 * like_below);
   cv::min(evidence_, most_evidence, evidence_);
   still_ = evidence_ >= enough_evidence;
-  if (cv::countNonZero(still_) < fewest_pixels)
+  if (cv::countNonZero(still_) < fewest_still_pixels)
     return still_.release();
   cv::morphologyEx(still_, still_, cv::MORPH_CLOSE, cv::getStructuringElement(cv::MORPH_RECT, between_letters));
   cv::dilate(still_, still_, cv::getStructuringElement(cv::MORPH_RECT, around_it));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "io/mavlink/codec.hpp"
 #include "io/mavlink/enums.hpp"
 #include "messages/vehicle_link/connection.hpp"
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "actors/domain/geo/geodesic.hpp"
+#include "actors/domain/mission/commands/item_class.hpp"
 #include "actors/executor/plan/change_ids.hpp"
 #include "actors/executor/plan/mission_look.hpp"
 #include "actors/executor/plan/places.hpp"

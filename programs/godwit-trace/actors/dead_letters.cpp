@@ -4,6 +4,8 @@
 #include <exception>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "actors/mission_client/core.hpp"
 #include "runtime/journal/journal_reader.hpp"
 #include "runtime/stored_state.hpp"

@@ -22,9 +22,8 @@ steps out_of_mission_steps(const flight_context& flight) {
 
 // An ArduPilot counts its jumps by their place in the plan, also in a plan that has replaced another one, until it is
 // set back to its very beginning.
-set_current_item first_of(const flight_context& flight, const progress::plan_map& map) {
-  const bool begins_anew = flight.is_ardupilot() && map.start_sequence == map.first_sequence;
-  return {map.start_sequence, map.total, begins_anew};
+set_current_item set_to(const flight_context& flight, const progress::plan_map& map, std::uint16_t sequence) {
+  return {sequence, map.total, flight.is_ardupilot() && sequence == map.first_sequence};
 }
 
 steps way_to_plan(const flight_context& flight, const progress::plan_map& map, bool goes_on, bool is_same) {
@@ -42,7 +41,7 @@ steps way_to_plan(const flight_context& flight, const progress::plan_map& map, b
     result.emplace_back(bring_plan{});
     result.emplace_back(guard{});
     if (goes_on && is_same && flight.view.says_complete()) // it is not begun anew, and would be held
-      result.emplace_back(first_of(flight, map));
+      result.emplace_back(set_to(flight, map, map.start_sequence));
     if (goes_on)
       result.emplace_back(change_mode{mode_kind::mission});
     return result;
@@ -50,7 +49,7 @@ steps way_to_plan(const flight_context& flight, const progress::plan_map& map, b
   // Whose hold that is, is on the disk first.
   steps result{guard{}, change_mode{mode_kind::hold}, bring_plan{}, guard{}};
   if (flight.is_ardupilot()) {
-    result.emplace_back(first_of(flight, map));
+    result.emplace_back(set_to(flight, map, map.start_sequence));
     if (goes_on)
       result.emplace_back(change_mode{mode_kind::mission});
   } else if (goes_on) {
@@ -88,7 +87,7 @@ steps start_steps(const flight_context& flight, std::uint16_t sequence) {
   const bool is_chosen = sequence != map.start_sequence && !starts_in_mission_mode(flight);
   const bool may_have_counts = flight.is_ardupilot() && (map.enters_at || !map.loops.empty());
   if (!is_chosen && may_have_counts)
-    result.emplace_back(first_of(flight, map));
+    result.emplace_back(set_to(flight, map, map.start_sequence));
   else if (is_chosen || goes_on_elsewhere)
     result.emplace_back(set_current_item{sequence});
   result.emplace_back(start_plan{sequence});
@@ -133,10 +132,7 @@ steps at_start_steps(const flight_context& flight, bool may_start) {
   const auto start = plan.generation.start_sequence;
   if (may_start && starts_in_mission_mode(flight))
     return {start_plan{start}};
-  auto item = set_current_item{start, plan.map.total};
-  if (start == plan.map.start_sequence)
-    item = first_of(flight, plan.map);
-  return {item, change_mode{mode_kind::mission}};
+  return {set_to(flight, plan.map, start), change_mode{mode_kind::mission}};
 }
 
 } // namespace godwit::executor

@@ -62,7 +62,7 @@ std::optional<plan_error> uncounted_jump(const mission::document& mission, std::
     if (jump == nullptr || jump->times < 0)
       continue;
     const auto* const count = count_of(from, jump->id);
-    const bool leads_on = target_of(mission, *jump) > i && i < from.item_index;
+    const bool leads_on = i < from.item_index && target_of(mission, *jump) > i;
     const bool forgets = count != nullptr && count->taken > 0 && is_ardupilot(setting) && is_inner(mission, i);
     if (leads_on || forgets || (count != nullptr && !count->is_certain))
       return jump_left_out(mission, from.item_index, i);

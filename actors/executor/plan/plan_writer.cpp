@@ -132,7 +132,8 @@ std::uint32_t plan_writer::item_index() const {
 // ArduPilot begins at the first.
 void plan_writer::end_lead_in(const std::string& entry) {
   pay_speed();
-  entry_ = loop_entry{.item_id = entry, .jump_sequence = {}, .legs_before = plan_.legs.size()};
+  entry_ = loop_entry{.item_id = entry, .jump_sequence = {}};
+  lead_in_legs_ = plan_.legs.size();
   skips_leg_ = true;
   if (!is_ardupilot(setting_) && plan_.items.size() == plan_.map.first_sequence)
     return;
@@ -221,43 +222,64 @@ void plan_writer::take_over(const progress::plan_map& idle) {
 // What belongs to ITEM_INDEX, from the target of a jump up to it, is flown once more each time, and the jump itself as
 // often as it is taken; what stands before the item with which the plan begins, once less. Loops within loops multiply,
 // which is more than vehicles fly that count each jump once.
-double plan_writer::rounds_of(const flight_plan& plan, std::uint32_t item_index) const {
+double plan_writer::rounds_of(const flight_plan& plan, std::span<const item_loop> loops, std::uint32_t item_index) {
   constexpr double most = 1e6;
   const bool is_before = plan.map.items_before > 0 && item_index < plan.map.items.at(plan.map.items_before).item_index;
   double rounds = 1;
-  for (const auto& jump : jumps_) {
-    const auto target = std::ranges::find(plan.map.items, jump.to, &progress::mapped_item::item_id);
-    if (item_index < target->item_index || item_index > jump.item_index)
-      continue;
-    const double taken = std::max(jump.times, 0.0);
-    rounds *= item_index == jump.item_index ? std::max(taken, 1.0) : is_before ? taken : taken + 1;
-  }
+  for (const auto& each : loops)
+    if (item_index >= each.first && item_index <= each.jump)
+      rounds *= item_index == each.jump ? std::max(each.taken, 1.0) : is_before ? each.taken : each.taken + 1;
   return std::min(most, rounds);
 }
 
-void plan_writer::count_rounds(flight_plan& plan) const {
-  for (auto& leg : std::span(plan.legs).subspan(entry_ ? entry_->legs_before : 0))
-    leg.times = rounds_of(plan, leg.item_index);
+void plan_writer::count_rounds(flight_plan& plan, std::span<const item_loop> loops) const {
+  for (auto& leg : std::span(plan.legs).subspan(lead_in_legs_))
+    leg.times = rounds_of(plan, loops, leg.item_index);
   for (const auto& owner : plan.map.items)
     if (owner.role != progress::item_role::unflown)
       for (int i = 0; i < owner.sequence_count; ++i)
-        plan.waits_s += rounds_of(plan, owner.item_index) *
+        plan.waits_s += rounds_of(plan, loops, owner.item_index) *
                         wait_of(plan.items.at(static_cast<std::size_t>(owner.first_sequence + i)), setting_);
 }
 
-// Back over JUMP, which leads to TARGET.
-progress::plan_loop plan_writer::loop_of(const flight_plan& plan, const planned_jump& jump,
-                                         const progress::mapped_item& target) const {
+// Of each leg that belongs to an item, by its index.
+std::vector<double> plan_writer::leg_lengths() const {
+  std::vector<double> lengths_m(plan_.legs.size());
+  for (auto i = lead_in_legs_; i < lengths_m.size(); ++i) {
+    const auto& leg = plan_.legs[i];
+    lengths_m[i] =
+        std::hypot(geo::distance_m(point_of(leg.from), point_of(leg.to)), leg.to.altitude_m - leg.from.altitude_m);
+  }
+  return lengths_m;
+}
+
+// No vehicle flies a round of the loop in less.
+std::int64_t plan_writer::round_ns(const item_loop& loop, std::span<const double> lengths_m) const {
   const double fastest_mps = setting_.vehicle == flight::vehicle_class::fixed_wing ? 60 : 30;
   double length_m = 0;
-  for (const auto& each : std::span(plan.legs).subspan(entry_ ? entry_->legs_before : 0))
-    if (each.item_index > target.item_index && each.item_index <= jump.item_index)
-      length_m += std::hypot(geo::distance_m(point_of(each.from), point_of(each.to)),
-                             each.to.altitude_m - each.from.altitude_m);
-  return {.target_sequence = target.first_sequence,
-          .jump_sequence = jump.sequence,
-          .round_ns = static_cast<std::int64_t>(length_m / fastest_mps * 1e9),
-          .counts_anew = is_ardupilot(setting_)};
+  for (auto i = lead_in_legs_; i < lengths_m.size(); ++i)
+    if (plan_.legs[i].item_index > loop.first && plan_.legs[i].item_index <= loop.jump)
+      length_m += lengths_m[i];
+  return static_cast<std::int64_t>(length_m / fastest_mps * 1e9);
+}
+
+// Each jump gets the sequence of its target; those that lead back are loops.
+void plan_writer::lead_jumps(flight_plan& plan) const {
+  std::vector<item_loop> loops;
+  const auto lengths_m = jumps_.empty() ? std::vector<double>() : leg_lengths();
+  for (const auto& each : jumps_) {
+    const auto target = std::ranges::find(plan.map.items, each.to, &progress::mapped_item::item_id);
+    GODWIT_ASSERT(target != plan.map.items.end(), "plan: a jump leads to an item of the plan");
+    plan.items.at(each.sequence).param1 = target->first_sequence;
+    if (target->item_index <= each.item_index)
+      loops.push_back({target->item_index, each.item_index, std::max(each.times, 0.0)});
+    if (target->first_sequence < each.sequence && each.times != 0)
+      plan.map.loops.push_back({.target_sequence = target->first_sequence,
+                                .jump_sequence = each.sequence,
+                                .round_ns = round_ns({target->item_index, each.item_index, 0}, lengths_m),
+                                .counts_anew = is_ardupilot(setting_)});
+  }
+  count_rounds(plan, loops);
 }
 
 void plan_writer::lead_in(flight_plan& plan) const {
@@ -282,14 +304,7 @@ flight_plan plan_writer::finished() const {
   lead_in(plan);
   plan.items.at(plan.map.start_sequence).current = 1;
   plan.map.total = sequence_of(plan.items.size() - plan.map.first_sequence);
-  for (const auto& each : jumps_) {
-    const auto target = std::ranges::find(plan.map.items, each.to, &progress::mapped_item::item_id);
-    GODWIT_ASSERT(target != plan.map.items.end(), "plan: a jump leads to an item of the plan");
-    plan.items.at(each.sequence).param1 = target->first_sequence;
-    if (target->first_sequence < each.sequence && each.times != 0)
-      plan.map.loops.push_back(loop_of(plan, each, *target));
-  }
-  count_rounds(plan);
+  lead_jumps(plan);
   if (is_ardupilot(setting_))
     leave_out_late_acts(plan.map);
   plan.ends_at = is_branch_ ? landed_at_ : here_;

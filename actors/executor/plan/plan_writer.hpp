@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -105,17 +106,24 @@ private:
   struct loop_entry {
     std::string item_id;
     std::optional<std::uint16_t> jump_sequence; // none: the vehicle begins there
-    std::size_t legs_before = 0;
+  };
+  struct item_loop { // by indices in the mission
+    std::uint32_t first;
+    std::uint32_t jump;
+    double taken;
   };
   void lead_in(flight_plan& plan) const;
-  [[nodiscard]] double rounds_of(const flight_plan& plan, std::uint32_t item_index) const;
-  void count_rounds(flight_plan& plan) const;
-  [[nodiscard]] progress::plan_loop loop_of(const flight_plan& plan, const planned_jump& jump,
-                                            const progress::mapped_item& target) const;
+  [[nodiscard]] static double rounds_of(const flight_plan& plan, std::span<const item_loop> loops,
+                                        std::uint32_t item_index);
+  void count_rounds(flight_plan& plan, std::span<const item_loop> loops) const;
+  [[nodiscard]] std::vector<double> leg_lengths() const;
+  [[nodiscard]] std::int64_t round_ns(const item_loop& loop, std::span<const double> lengths_m) const;
+  void lead_jumps(flight_plan& plan) const;
 
   std::vector<planned_jump> jumps_;
   std::uint32_t lead_in_item_ = 0;
   std::optional<loop_entry> entry_;
+  std::size_t lead_in_legs_ = 0; // the first so many
   flight_plan plan_;
 };
 

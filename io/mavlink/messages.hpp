@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "io/mavlink/codec.hpp"
+#include "io/mavlink/messages/camera.hpp"
 #include "io/mavlink/messages/clock.hpp"
 #include "io/mavlink/messages/command.hpp"
 #include "io/mavlink/messages/gimbal.hpp"
@@ -74,7 +75,8 @@ using known_messages =
                  mission_item_reached, mission_ack, mission_request_int, mission_item_int, vfr_hud, command_int,
                  command_long, command_ack, command_cancel, radio_status, timesync, battery_status, autopilot_version,
                  fence_status, ekf_status_report, estimator_status, home_position, extended_sys_state, statustext,
-                 setup_signing, gimbal_device_attitude_status, protocol_version>;
+                 setup_signing, gimbal_device_attitude_status, protocol_version, camera_feedback,
+                 camera_image_captured>;
 
 // Decodes FRAME and calls F(const M&) with the message; false if it is not one of ours.
 template <class F>

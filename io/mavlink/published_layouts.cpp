@@ -1,6 +1,7 @@
 // Compiles only when the table of each message gives the published CRC_EXTRA and lengths (message definitions
 // common.xml, ardupilotmega.xml). It stands here once, and not in the headers, because every source file would compute
 // it again.
+#include "io/mavlink/messages/camera.hpp"
 #include "io/mavlink/messages/clock.hpp"
 #include "io/mavlink/messages/command.hpp"
 #include "io/mavlink/messages/gimbal.hpp"
@@ -21,6 +22,8 @@ static_assert(as_published<system_time>(12, 12));
 static_assert(as_published<ping>(14, 14));
 static_assert(as_published<timesync>(16, 18));
 static_assert(as_published<set_mode>(6, 6));
+static_assert(as_published<camera_feedback>(45, 47));
+static_assert(as_published<camera_image_captured>(255, 255));
 static_assert(as_published<command_int>(35, 35));
 static_assert(as_published<command_long>(33, 33));
 static_assert(as_published<command_ack>(3, 10));

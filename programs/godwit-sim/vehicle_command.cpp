@@ -154,6 +154,7 @@ void add_vehicle_options(CLI::App& app, vehicle_arguments& given) {
       ->type_name("PERCENT")
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
+  app.add_flag("--payload", given.has_payload, "It has a gripper, and a camera whose pictures it reports");
   app.add_flag("--arm-on-start", given.arm_on_start, "rover: MISSION_START arms it");
 }
 

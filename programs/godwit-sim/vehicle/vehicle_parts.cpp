@@ -75,6 +75,7 @@ vehicle::parts::parts(const vehicle_settings& settings, std::int64_t now_ns, fra
   state_.is_ready = quirks_.ready_after_ns == 0;
   state_.beats_at_mode_change = quirks_.beats_at_mode_change && settings.beats_at_mode_change;
   state_.has_estimate = quirks_.estimate_after_ns == 0;
+  state_.has_payload = settings.has_payload;
   streams_.push_back(make_streams());
   pilot_ = make_autopilot(settings, {quirks_, craft_, plans_, out_, tells_, streams_, state_, random_});
   pilot_->set_now(now_);

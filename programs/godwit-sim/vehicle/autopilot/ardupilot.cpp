@@ -14,13 +14,15 @@ namespace {
 using mavlink::mav_cmd;
 using mavlink::mav_severity;
 
+constexpr std::string_view unnamed = "?";
+
 // What its texts call a command.
 std::string_view name_of(std::uint16_t command) {
   struct row {
     mav_cmd command;
     std::string_view name;
   };
-  static constexpr std::array<row, 11> rows{{
+  static constexpr std::array<row, 14> rows{{
       {mav_cmd::nav_waypoint, "WP"},
       {mav_cmd::nav_spline_waypoint, "SplineWP"},
       {mav_cmd::nav_loiter_unlim, "LoitUnlim"},
@@ -32,10 +34,13 @@ std::string_view name_of(std::uint16_t command) {
       {mav_cmd::nav_delay, "Delay"},
       {mav_cmd::do_jump, "Jump"},
       {mav_cmd::do_change_speed, "ChangeSpeed"},
+      {mav_cmd::do_set_cam_trigg_dist, "SetCamTrigDst"},
+      {mav_cmd::image_start_capture, "ImageStartCapture"},
+      {mav_cmd::do_gripper, "Gripper"},
   }};
   const auto found =
       std::find_if(rows.begin(), rows.end(), [&](const row& r) { return mavlink::number(r.command) == command; });
-  return found == rows.end() ? "?" : found->name;
+  return found == rows.end() ? unnamed : found->name;
 }
 
 } // namespace
@@ -136,6 +141,7 @@ void ardupilot::start_or_resume() {
     return;
   if (phase_ == mission_phase::complete)
     reset_mission();
+  with().craft.keep_trigger();   // AP_Camera, without CAM_AUTO_ONLY
   run().count_left_loops_anew(); // AP_Mission::get_next_cmd, without MIS_OPTIONS DONT_ZERO_COUNTER
   run().start(run().current());
   phase_ = mission_phase::running;
@@ -232,6 +238,33 @@ void ardupilot::tell_begun(int sequence) {
   say(mav_severity::info, "Mission: " + std::to_string(sequence) + " " + std::string(name_of(command_of(sequence))));
 }
 
+// A command to a gripper is acknowledged by a text also where there is none.
+void ardupilot::tell_executed(int sequence) {
+  const auto& item = run().items()[static_cast<std::size_t>(sequence)];
+  if (const auto name = name_of(item.command); name != unnamed)
+    say(mav_severity::info, "Mission: " + std::to_string(sequence) + " " + std::string(name));
+  if (item.command != mavlink::number(mav_cmd::do_gripper))
+    return;
+  const bool releases = item.param2 == 0;
+  if (state().has_payload)
+    say(mav_severity::info, releases ? "Gripper load releasing" : "Gripper load grabbing");
+  say(mav_severity::info, releases ? "Gripper Released" : "Gripper Grabbed");
+}
+
+void ardupilot::tell_picture() {
+  if (!state().has_payload)
+    return;
+  const auto& at = craft().where().where;
+  mavlink::camera_feedback m;
+  m.time_usec = static_cast<std::uint64_t>(now().world_ns / 1'000);
+  m.img_idx = static_cast<std::uint16_t>(++with().state.pictures);
+  m.lat = e7(at.latitude_deg);
+  m.lng = e7(at.longitude_deg);
+  m.alt_msl = static_cast<float>(at.altitude_m);
+  m.alt_rel = static_cast<float>(craft().altitude_above_home_m());
+  with().out.send(m);
+}
+
 void ardupilot::tell_reached(int sequence) {
   with().out.send(mavlink::mission_item_reached{static_cast<std::uint16_t>(sequence)});
   if (const auto words = words_of_reached(sequence); !words.empty())
@@ -253,6 +286,12 @@ void ardupilot::on_happening(const happening& what) {
     tell_reached(reached->sequence);
   } else if (const auto* skipped = std::get_if<item_skipped>(&what)) {
     say(mav_severity::warning, "Skipping invalid cmd #" + std::to_string(skipped->sequence));
+  } else if (const auto* executed = std::get_if<command_executed>(&what)) {
+    tell_executed(executed->sequence);
+  } else if (std::holds_alternative<pictured>(what)) {
+    tell_picture();
+  } else if (const auto* load = std::get_if<load_moved>(&what); load != nullptr && state().has_payload) {
+    say(mav_severity::info, load->is_released ? "Gripper load released" : "Gripper load grabbed");
   } else if (std::holds_alternative<took_off>(what)) {
     on_took_off();
   } else if (std::holds_alternative<landed>(what)) {

@@ -81,6 +81,8 @@ private:
   void load_plan();
   void take_plan_under_way();
   void tell_begun(int sequence);
+  void tell_executed(int sequence);
+  void tell_picture();
   void tell_reached(int sequence);
 
   mission_phase phase_ = mission_phase::stopped;

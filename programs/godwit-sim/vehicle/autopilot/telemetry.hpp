@@ -30,6 +30,8 @@ struct condition {
   bool is_battery_empty = false;
   bool is_home_fixed = false;        // by a command: arming moves it no longer
   bool beats_at_mode_change = false; // a HEARTBEAT at once, besides those of each second
+  bool has_payload = false;          // a gripper, and a camera whose pictures it reports
+  std::int32_t pictures = 0;         // since it started
   std::int64_t started_world_ns = 0; // its own clock is 0 then
 
   [[nodiscard]] bool is_in(mode_kind kind) const { return mode->kind == kind; }

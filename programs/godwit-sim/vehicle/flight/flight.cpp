@@ -57,6 +57,8 @@ void flight::step(double step_s, happenings& said) {
     mover_.rest(step_s);
   else
     maneuver_.step(mover_, own_pace(mover_.what()), step_s);
+  if (!follows)
+    pilot_.moved_otherwise(where().where, said);
   if (mover_.is_in_air() != was_in_air)
     said.emplace_back(was_in_air ? happening(landed{}) : happening(took_off{}));
   if (follows)

@@ -72,6 +72,7 @@ public:
   [[nodiscard]] const task::any& current_task() const { return task_; }
   [[nodiscard]] mission_run& mission() { return pilot_.run(); }
   [[nodiscard]] const mission_run& mission() const { return pilot_.run(); }
+  void keep_trigger() { pilot_.keep_trigger(); } // as mission_pilot
 
   [[nodiscard]] const body& where() const { return mover_.where(); }
   [[nodiscard]] const position& home() const { return home_; }

@@ -20,6 +20,7 @@ void mission_pilot::step(mover& vehicle, position& home, double step_s, happenin
   if (run_.changes() != seen_changes_) {
     commands_.clear();
     commands_wait_s_ = 0;
+    trigger_m_ = keeps_trigger_ ? trigger_m_ : 0;
     begin(vehicle, home, said);
   } else if (is_interrupted_) {
     go_on(vehicle, home, said);
@@ -31,6 +32,53 @@ void mission_pilot::step(mover& vehicle, position& home, double step_s, happenin
     vehicle.hold(step_s);
   else
     maneuver_.step(vehicle, how_fast_, step_s);
+  move_load(step_s, said);
+  trigger(vehicle.where().where, said);
+}
+
+void mission_pilot::move_load(double step_s, happenings& said) {
+  if (load_wait_s_ <= 0)
+    return;
+  load_wait_s_ -= step_s;
+  if (load_wait_s_ <= 0)
+    said.emplace_back(load_moved{is_released_});
+}
+
+void mission_pilot::moved_otherwise(const position& here, happenings& said) {
+  if (keeps_trigger_)
+    trigger(here, said);
+  else
+    trigger_m_ = 0;
+}
+
+void mission_pilot::trigger(const position& here, happenings& said) {
+  if (trigger_m_ <= 0 || between(pictured_at_, here).distance_m < trigger_m_)
+    return;
+  pictured_at_ = here;
+  said.emplace_back(pictured{});
+}
+
+void mission_pilot::execute(const io::mavlink::mission_item_int& command, const position& here, happenings& said) {
+  switch (command.command) {
+  case do_set_cam_trigg_dist:
+    trigger_m_ = std::max(0.0F, command.param1);
+    pictured_at_ = here;
+    if (command.param3 == 1)
+      said.emplace_back(pictured{});
+    break;
+  case image_start_capture:
+    if (command.param3 == 1)
+      said.emplace_back(pictured{});
+    break;
+  case do_gripper: {
+    constexpr double actuation_s = 0.5;
+    load_wait_s_ = actuation_s;
+    is_released_ = command.param2 == 0;
+    break;
+  }
+  default:
+    break;
+  }
 }
 
 void mission_pilot::go_on(const mover& vehicle, const position& home, happenings& said) {
@@ -47,13 +95,14 @@ void mission_pilot::settle(const mover& vehicle, position& home, happenings& sai
     return;
   said.emplace_back(item_reached{run_.current()});
   drop_late(said);
+  queue_commands();
   run_.advance();
   if (!run_.is_held())
     begin(vehicle, home, said);
 }
 
 bool mission_pilot::is_settled() const {
-  return run_.changes() == seen_changes_ && !is_interrupted_ && commands_.empty() &&
+  return run_.changes() == seen_changes_ && !is_interrupted_ && commands_.empty() && load_wait_s_ <= 0 &&
          (run_.item() == nullptr || maneuver_.is_settled());
 }
 
@@ -67,6 +116,8 @@ void mission_pilot::begin(const mover& vehicle, position& home, happenings& said
       commands_.push_back(run_.current());
     else if (begin_nav(vehicle, home, said))
       return;
+    else
+      queue_commands();
     run_.skip();
   }
   seen_changes_ = run_.changes();
@@ -80,10 +131,13 @@ void mission_pilot::begin(const mover& vehicle, position& home, happenings& said
 
 // False: it is nothing to fly.
 bool mission_pilot::begin_nav(const mover& vehicle, position& home, happenings& said) {
-  for (int sequence = run_.current() + 1; sequence < run_.commands_end(); ++sequence)
-    commands_.push_back(sequence);
   carry_out_due(vehicle, home, said);
   return plan(vehicle, home, said);
+}
+
+void mission_pilot::queue_commands() {
+  for (int sequence = run_.current() + 1; sequence < run_.commands_end(); ++sequence)
+    commands_.push_back(sequence);
 }
 
 bool mission_pilot::plan(const mover& vehicle, const position& home, happenings& said) {
@@ -104,7 +158,10 @@ void mission_pilot::carry_out_next(const mover& vehicle, position& home, happeni
     commands_wait_s_ = static_cast<double>(command.param1);
   auto reason = carry_out(command, vehicle.what(), vehicle.where().where, how_fast_, home);
   if (reason)
-    said.emplace_back(item_skipped{sequence, *std::move(reason)});
+    return void(said.emplace_back(item_skipped{sequence, *std::move(reason)}));
+  if (command.command != do_jump)
+    said.emplace_back(command_executed{sequence});
+  execute(command, vehicle.where().where, said);
 }
 
 void mission_pilot::carry_out_due(const mover& vehicle, position& home, happenings& said) {

@@ -2,13 +2,16 @@
 //
 // What a step says is in the order in which a ground station must hear it:
 //
-//   item_begun, [item_skipped ...]  when an item begins; skipped are commands beside it, or the item itself
+//   item_begun, [item_skipped]      when an item begins; skipped is the item itself
+//   [command_executed, item_skipped ...]  the commands behind the item before; skipped: it is of no use here
 //   [took_off, landed]              said by flight, while the body moves
+//   [pictured ...]                  each so many metres, while a trigger by distance is on
 //   item_reached                    after the hold
-//   [item_skipped ...]              commands that its CONDITION_DELAY has held back until now
+//   [item_skipped ...]              commands that their CONDITION_DELAY has held back until now
 //   item_begun of the next | mission_completed
 //
-// Thread: one at a time.
+// The commands behind an item begin when it is reached, and a delay among them runs on the way to the next. Thread: one
+// at a time. Source: seen of ArduCopter 4.7.0-dev and PX4 1.18.0-beta1.
 #pragma once
 
 #include <cstdint>
@@ -47,8 +50,16 @@ struct item_skipped { // it is of no use here: an unknown DO command, a NAV comm
   int sequence = 0;
   std::string reason; // for a STATUSTEXT
 };
+struct command_executed { // one that is no NAV item
+  int sequence = 0;
+};
+struct pictured {}; // the camera was triggered
+struct load_moved { // half a second after a DO_GRIPPER
+  bool is_released = true;
+};
 struct mission_completed {};
-using happening = std::variant<took_off, landed, arrived, item_begun, item_reached, item_skipped, mission_completed>;
+using happening = std::variant<took_off, landed, arrived, item_begun, item_reached, item_skipped, command_executed,
+                               pictured, load_moved, mission_completed>;
 using happenings = std::vector<happening>;
 
 class mission_pilot {
@@ -57,6 +68,12 @@ public:
 
   [[nodiscard]] mission_run& run() { return run_; }
   [[nodiscard]] const mission_run& run() const { return run_; }
+
+  // A camera that is triggered by distance goes on in other modes and in other missions (ArduPilot). Else it stops with
+  // the mission (PX4).
+  void keep_trigger() { keeps_trigger_ = true; }
+  // Outside of its mission it has moved to HERE.
+  void moved_otherwise(const position& here, happenings& said);
 
   // The vehicle is somewhere else and comes back to the mission: the current item goes on, from its first leg.
   void resume();
@@ -76,12 +93,21 @@ private:
   void carry_out_due(const mover& vehicle, position& home, happenings& said);
   void carry_out_all(const mover& vehicle, position& home, happenings& said);
   void drop_late(happenings& said);
+  void queue_commands();
+  void execute(const io::mavlink::mission_item_int& command, const position& here, happenings& said);
+  void move_load(double step_s, happenings& said);
+  void trigger(const position& here, happenings& said);
 
   mission_run run_;
   maneuver maneuver_;
   pace how_fast_;
   position here_; // where the current item began
-  // The commands beside the current item that are still to be carried out, by sequence, and how long they wait. No more
+  bool keeps_trigger_ = false;
+  double trigger_m_ = 0; // of the camera; 0: it is off
+  position pictured_at_;
+  double load_wait_s_ = 0; // a gripper is moving
+  bool is_released_ = true;
+  // The commands behind the item before that are still to be carried out, by sequence, and how long they wait. No more
   // than the plan has, for each jump in a row.
   std::deque<int> commands_;
   double commands_wait_s_ = 0;

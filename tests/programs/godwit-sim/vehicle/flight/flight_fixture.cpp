@@ -17,6 +17,9 @@ struct speaker {
   std::string operator()(const item_skipped& it) const {
     return "skipped " + std::to_string(it.sequence) + ": " + it.reason;
   }
+  std::string operator()(const command_executed& e) const { return "executed " + std::to_string(e.sequence); }
+  std::string operator()(const pictured&) const { return "pictured"; }
+  std::string operator()(const load_moved& e) const { return e.is_released ? "released" : "grabbed"; }
   std::string operator()(const mission_completed&) const { return "completed"; }
 };
 

@@ -1,4 +1,5 @@
 // The rules of a mission's execution, one by one, and what a station hears of it.
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -62,11 +63,12 @@ TEST(sim_mission_pilot, reached_is_said_in_the_step_in_which_the_next_item_begin
   EXPECT_EQ(it.time_of("reached 0"), it.time_of("begun 1"));
 }
 
-TEST(sim_mission_pilot, do_commands_between_two_items_run_when_the_first_of_them_begins) {
+// copter_does of ArduCopter 4.7.0-dev: REACHED 4, "Mission: 4 SetROILocation", "Mission: 6 WP", CURRENT 6.
+TEST(sim_mission_pilot, do_commands_between_two_items_run_when_the_first_of_them_is_reached) {
   auto it = rover();
   it.follow({waypoint(20, 0), command(do_change_speed, 1, 0.5F), command(186), waypoint(40, 0)});
-  it.run(0.1);
-  EXPECT_EQ(it.said, (heard{"begun 0", "skipped 2: command 186 is not known"}));
+  ASSERT_TRUE(it.run_until_said("begun 3"));
+  EXPECT_EQ(it.said, (heard{"begun 0", "reached 0", "begun 3", "executed 1", "skipped 2: command 186 is not known"}));
   it.run(10);
   EXPECT_NEAR(it.vehicle.where().ground_speed_mps, 0.5, 1e-9);
 }
@@ -82,8 +84,8 @@ TEST(sim_mission_pilot, an_unknown_nav_command_is_skipped_with_a_reason_and_is_n
   auto it = rover();
   it.follow({at(23, 10, 0), command(221), waypoint(10, 0)});
   ASSERT_TRUE(it.run_until_said("completed"));
-  EXPECT_EQ(it.said, (heard{"begun 0", "skipped 1: command 221 is not known", "skipped 0: command 23 is not known",
-                            "begun 2", "reached 2", "completed"}));
+  EXPECT_EQ(it.said, (heard{"begun 0", "skipped 0: command 23 is not known", "begun 2",
+                            "skipped 1: command 221 is not known", "reached 2", "completed"}));
 }
 
 TEST(sim_mission_pilot, a_rover_skips_the_take_off_and_stops_where_it_should_land) {
@@ -113,7 +115,8 @@ TEST(sim_mission_pilot, a_mission_of_do_commands_alone_completes_at_once) {
   auto it = rover();
   it.follow({command(do_change_speed, 1, 1), held(command(condition_delay, 60)), command(186)});
   it.run(0.1);
-  EXPECT_EQ(it.said, (heard{"begun 0", "begun 1", "begun 2", "skipped 2: command 186 is not known", "completed"}));
+  EXPECT_EQ(it.said, (heard{"begun 0", "begun 1", "begun 2", "executed 0", "executed 1",
+                            "skipped 2: command 186 is not known", "completed"}));
   EXPECT_EQ(it.vehicle.mission().state(), run_state::completed);
 }
 
@@ -154,10 +157,10 @@ TEST(sim_mission_pilot, a_change_of_speed_lasts_until_the_next_start) {
   EXPECT_NEAR(it.vehicle.where().ground_speed_mps, 2, 1e-9);
 }
 
-TEST(sim_mission_pilot, a_change_of_speed_takes_effect_on_the_leg_beside_it) {
+TEST(sim_mission_pilot, a_change_of_speed_takes_effect_on_the_leg_after_it) {
   auto it = multirotor();
-  it.follow({at(nav_takeoff, 0, 0, 5), waypoint(300, 0), command(do_change_speed, 1, 9)});
-  ASSERT_TRUE(it.run_until_said("begun 1"));
+  it.follow({at(nav_takeoff, 0, 0, 5), command(do_change_speed, 1, 9), waypoint(300, 0)});
+  ASSERT_TRUE(it.run_until_said("begun 2"));
   it.run(10);
   EXPECT_NEAR(it.vehicle.where().ground_speed_mps, 9, 1e-6);
 }
@@ -171,17 +174,17 @@ TEST(sim_mission_pilot, a_new_home_is_where_a_return_leads) {
 
 TEST(sim_mission_pilot, condition_delay_holds_back_the_commands_behind_it) {
   auto it = rover();
-  it.follow({waypoint(100, 0), command(condition_delay, 5), command(186), waypoint(20, 0)});
+  it.follow({waypoint(20, 0), command(condition_delay, 5), command(186), waypoint(100, 0)});
   ASSERT_TRUE(it.run_until_said("skipped 2: command 186 is not known"));
-  EXPECT_NEAR(it.time_of("skipped 2: command 186 is not known"), 5, 0.1);
+  EXPECT_NEAR(it.time_of("skipped 2: command 186 is not known") - it.time_of("begun 3"), 5, 0.1);
 }
 
 TEST(sim_mission_pilot, what_a_delay_holds_back_longer_than_the_item_is_not_carried_out) {
   auto it = rover();
   it.follow({waypoint(10, 0), command(condition_delay, 600), command(do_change_speed, 1, 0.5F), waypoint(30, 0)});
   ASSERT_TRUE(it.run_until_said("completed"));
-  EXPECT_EQ(it.said, (heard{"begun 0", "reached 0", "skipped 2: its delay was longer than the item beside it",
-                            "begun 3", "reached 3", "completed"}));
+  EXPECT_EQ(it.said, (heard{"begun 0", "reached 0", "begun 3", "executed 1", "reached 3",
+                            "skipped 2: its delay was longer than the item beside it", "completed"}));
   EXPECT_LT(it.time_of("completed"), 20);
 }
 
@@ -206,6 +209,25 @@ TEST(sim_mission_pilot, loiter_time_counts_from_the_arrival_and_loiter_unlim_nev
   EXPECT_EQ(it.vehicle.next_step_ns(), flight::never_ns);
 }
 
+// acts_copter: switched on at the first place, it takes one there and one each ten metres, none at the end of 60 m.
+TEST(sim_mission_pilot, a_trigger_by_distance_takes_a_picture_each_so_many_metres) {
+  auto it = multirotor();
+  auto on = command(do_set_cam_trigg_dist, 10);
+  on.param3 = 1;
+  it.follow({at(nav_takeoff, 0, 0, 10), waypoint(20, 0), on, waypoint(20, 60), command(do_set_cam_trigg_dist, 0),
+             waypoint(0, 60)});
+  ASSERT_TRUE(it.run_until_said("completed"));
+  EXPECT_NEAR(std::ranges::count(it.said, "pictured"), 6, 1);
+  EXPECT_EQ(std::ranges::find(std::ranges::find(it.said, "reached 3"), it.said.end(), "pictured"), it.said.end());
+}
+
+TEST(sim_mission_pilot, a_gripper_has_released_its_load_half_a_second_after_the_command) {
+  auto it = multirotor();
+  it.follow({at(nav_takeoff, 0, 0, 10), waypoint(20, 0), command(do_gripper, 1, 0), waypoint(60, 0)});
+  ASSERT_TRUE(it.run_until_said("released"));
+  EXPECT_NEAR(it.time_of("released") - it.time_of("executed 2"), 0.5, 0.05);
+}
+
 TEST(sim_mission_pilot, a_delay_waits_where_it_is) {
   auto it = rover();
   it.follow({waypoint(10, 0), command(nav_delay, 6), waypoint(20, 0)});
@@ -224,7 +246,7 @@ TEST(sim_mission_pilot, after_a_pause_the_item_goes_on_and_is_not_said_to_begin_
   EXPECT_EQ(it.vehicle.mission().state(), run_state::running);
   it.vehicle.set_task(task::follow_mission{});
   ASSERT_TRUE(it.run_until_said("completed"));
-  EXPECT_EQ(it.said, (heard{"begun 0", "skipped 1: command 186 is not known", "reached 0", "completed"}));
+  EXPECT_EQ(it.said, (heard{"begun 0", "reached 0", "skipped 1: command 186 is not known", "completed"}));
 }
 
 TEST(sim_mission_pilot, a_take_off_that_was_paused_goes_on_where_it_began) {

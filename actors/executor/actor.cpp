@@ -89,6 +89,7 @@ actor::behavior_type actor::handlers() {
       hears<vehicle_link::vehicle_restarted>(),
       hears<vehicle_link::foreign_act>(),
       hears<vehicle_link::line_findings>(),
+      hears<vehicle_link::picture_taken>(),
       on<runtime::child_event>([this](const runtime::child_event& m) {
         say_all(supervisor_->on_event(m, now().now_ns));
         greet_returned();

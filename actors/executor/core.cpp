@@ -7,6 +7,7 @@
 
 #include "actors/domain/vehicle_text/vehicle_text.hpp"
 #include "actors/executor/flight/new_run.hpp"
+#include "actors/executor/progress/acts.hpp"
 #include "actors/executor/state_token.hpp"
 #include "io/mavlink/enums.hpp"
 #include "runtime/planted_bug.hpp"
@@ -220,9 +221,8 @@ effects core::on_vehicle(const io::mavlink::mission_item_reached& m, instant now
   progress::reached_told told{m.seq, {}};
   if (!is_early && s.progress.plan)
     told.never_near = plan_.never_near(m.seq, plan_watch::told::reached);
-  if (!is_early && !flight_.has_person() && flight_.authority.is_ours() && s.progress.plan &&
-      progress::matters(s.progress, told, now.wall_ns))
-    out.emplace_back(note{told});
+  if (!is_early)
+    note_of_mission(out, told, now);
   return out;
 }
 
@@ -232,8 +232,25 @@ effects core::on_vehicle(const io::mavlink::statustext& m, instant now) {
   if (flight::tells_new_plan(flight::text_of(m)) && !flight_.s.progress.upload)
     flight_.evidence.plan.doubt(now.now_ns);
   effects out;
-  for (const auto& each : messages_.take(out, m, now.now_ns))
+  for (const auto& each : messages_.take(out, m, now.now_ns)) {
     flight_.view.take(each, now.now_ns);
+    if (const auto act = progress::act_in(each.text))
+      note_of_mission(out, *act, now);
+  }
+  return out;
+}
+
+// Not while anybody else has the vehicle: what it does then is no progress of the mission.
+void core::note_of_mission(effects& out, const progress::event& what, instant now) {
+  const auto& s = flight_.s;
+  if (!flight_.has_person() && flight_.authority.is_ours() && s.progress.plan &&
+      progress::matters(s.progress, what, now.wall_ns))
+    std::visit([&](const auto& each) { out.emplace_back(note{each}); }, what);
+}
+
+effects core::on_vehicle(const vehicle_link::picture_taken& m, instant now) {
+  effects out;
+  note_of_mission(out, progress::picture_told{m.index, m.is_good}, now);
   return out;
 }
 
@@ -512,6 +529,10 @@ effects core::on_news(const progress::progress_event& m, instant now) {
   case progress_event_kind::mission_complete:
     if (flight_.is_in_flight() && flight_.s.status.now == phase::flying)
       phases_.go(out, trigger::plan_done);
+    break;
+  case progress_event_kind::act_failed:
+  case progress_event_kind::pictures_missing:
+    out.emplace_back(announce{m.reason, true});
     break;
   case progress_event_kind::place_missed:
     out.emplace_back(announce{plan_.missed_sentence(m.reason), true});

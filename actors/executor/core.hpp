@@ -84,6 +84,7 @@ public:
   [[nodiscard]] effects on_vehicle(const io::mavlink::mission_current& m, instant now);
   [[nodiscard]] effects on_vehicle(const io::mavlink::mission_item_reached& m, instant now);
   [[nodiscard]] effects on_vehicle(const io::mavlink::statustext& m, instant now);
+  [[nodiscard]] effects on_vehicle(const vehicle_link::picture_taken& m, instant now);
   [[nodiscard]] effects on_vehicle(const io::mavlink::sys_status& m, instant now);
   [[nodiscard]] effects on_vehicle(const io::mavlink::home_position& m, instant now);
   [[nodiscard]] effects on_vehicle(const io::mavlink::global_position_int& m, instant now);
@@ -181,6 +182,8 @@ private:
   // True: something is under way, and the rest waits.
   using rule = bool (core::*)(effects&, instant);
   static const std::array<rule, 18> rules;
+
+  void note_of_mission(effects& out, const progress::event& what, instant now);
 
   [[nodiscard]] bool look(effects& out, instant now) { return recovery_.look(out, now); }
   [[nodiscard]] bool heed(effects& out, instant now) { return watch_.heed(out, now) || flight_.pending.is_pending(); }

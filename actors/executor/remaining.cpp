@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "actors/domain/mission/rules.hpp"
+#include "actors/executor/plan/mission_look.hpp"
 #include "actors/executor/plan/vehicle_items.hpp"
 
 namespace godwit::executor {
@@ -59,6 +60,43 @@ std::size_t first_to_fly(const mission::document& mission, const mission::docume
   return std::min(first_remaining(mission, last_done), static_cast<std::size_t>(first_new - mission.items.begin()));
 }
 
+namespace {
+
+std::uint32_t lines_done(const state& s, const plan::planned_survey& survey) {
+  const auto& generation = s.progress.plan->generation;
+  return generation.is_armed ? plan::lines_done_at(survey, generation.current) : survey.lines_before;
+}
+
+// By an earlier plan; laid the same way.
+std::uint32_t lines_left_behind(const state& s, const mission::document& mission, std::size_t index) {
+  const auto* const area = std::get_if<mission::survey>(&mission.items[index]);
+  const auto& left = s.flown->left;
+  const bool is_same =
+      area != nullptr && left && left->area == *area && left->from == plan::place_before(mission, index);
+  return is_same ? left->lines : 0;
+}
+
+} // namespace
+
+std::optional<left_survey> survey_left(const state& s) {
+  if (!s.flown || !s.progress.plan)
+    return std::nullopt;
+  for (const auto& each : s.flown->surveys) {
+    const auto lines = lines_done(s, each);
+    if (lines > 0 && lines < each.lines_before + each.line_count)
+      return left_survey{std::get<mission::survey>(s.flown->mission.items.at(each.item_index)),
+                         plan::place_before(s.flown->mission, each.item_index), lines};
+  }
+  return s.flown->left;
+}
+
+std::optional<io::mavlink::mission_item_int> camera_to_stop(const state& s) {
+  if (!s.flown || !s.progress.plan || !s.status.in_flight)
+    return std::nullopt;
+  const auto& generation = s.progress.plan->generation;
+  return plan::camera_to_stop(s.flown->items, generation.moved_to.value_or(generation.current));
+}
+
 std::uint32_t lines_flown(const state& s, const mission::document& mission, std::size_t index) {
   if (index >= mission.items.size() || !s.flown || !s.progress.plan)
     return 0;
@@ -67,11 +105,11 @@ std::uint32_t lines_flown(const state& s, const mission::document& mission, std:
   const auto found =
       std::find_if(surveys.begin(), surveys.end(), [&](const auto& each) { return each.item_index == index; });
   const auto end = static_cast<std::ptrdiff_t>(index) + 1;
-  if (found == surveys.end() || index >= flown.size() ||
-      !std::equal(flown.begin(), flown.begin() + end, mission.items.begin()))
+  if (found == surveys.end())
+    return lines_left_behind(s, mission, index);
+  if (index >= flown.size() || !std::equal(flown.begin(), flown.begin() + end, mission.items.begin()))
     return 0;
-  const auto& generation = s.progress.plan->generation;
-  return generation.is_armed ? plan::lines_done_at(*found, generation.current) : found->lines_before;
+  return lines_done(s, *found);
 }
 
 tl::expected<reassigned, std::string> reassign(const mission::document& mission, const mission::assignment& assignment,

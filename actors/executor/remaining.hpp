@@ -29,8 +29,14 @@ namespace godwit::executor {
                                        const std::optional<std::string>& last_done);
 
 // So many lines of the item at INDEX are flown, if it is a survey that the plan on the vehicle has, too, and lays the
-// same way: behind the same items. Else 0. The line that was begun is not flown.
+// same way: behind the same items; or that it was sent away from. Else 0. The line that was begun is not flown.
 [[nodiscard]] std::uint32_t lines_flown(const state& s, const mission::document& mission, std::size_t index);
+
+// The survey in whose middle the plan on the vehicle is, or that an earlier plan was sent away from.
+[[nodiscard]] std::optional<left_survey> survey_left(const state& s);
+
+// What ends the pictures that a camera takes by the plan on the vehicle, where it is now. Nothing: it takes none.
+[[nodiscard]] std::optional<io::mavlink::mission_item_int> camera_to_stop(const state& s);
 
 // The vehicle item with which the plan on the vehicle ends: the last one that moves it, without what comes after a
 // landing and is kept for a failure. Null: there is no plan.

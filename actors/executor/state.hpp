@@ -100,6 +100,14 @@ struct station_plan {
   GODWIT_FIELDS(station_plan, "executor.station_plan", mission_id, revision, plan_id, items, places, part, by, ids);
 };
 
+// A survey that the vehicle was sent away from, in the middle. Its lines are laid by where it is flown to from.
+struct left_survey {
+  mission::survey area;
+  mission::vertex from;
+  std::uint32_t lines = 0; // that are flown
+  GODWIT_FIELDS(left_survey, "executor.left_survey", area, from, lines);
+};
+
 // The plan that an upload brings, until the upload is resolved.
 struct deployment {
   mission::document mission;
@@ -111,8 +119,9 @@ struct deployment {
   bool is_upload = false;                        // of a station, which waits for what becomes of it
   // The vehicle's, where it stood when the plan was brought before a flight: an arming leaves it there.
   std::optional<flight::home_place> home = {};
+  std::optional<left_survey> left = {};
   GODWIT_FIELDS(deployment, "executor.deployment", mission, items, landing_sequence, surveys, asked, station, is_upload,
-                home);
+                home, left);
 };
 
 // -- events besides those of the progress -----------------------------------------------------------
@@ -402,18 +411,17 @@ struct state {
 // The durable core: keeps what was decided, and lets the progress decide.
 struct durable_core {
   using state = executor::state;
-  using event =
-      std::variant<progress::mission_opened, progress::upload_intended, progress::start_intended,
-                   progress::earlier_reports_told, progress::mission_aborted, progress::upload_ended,
-                   progress::vehicle_looked_at, progress::plan_read_back, progress::found_begun, progress::start_ended,
-                   progress::current_told, progress::reached_told, progress::came_down, progress::other_plan_found,
-                   progress::vehicle_rebooted, preflight::checks_wanted, preflight::looked, preflight::acknowledged,
-                   preflight::mission_changed, preflight::took_off, preflight::flight_ended, preflight::restarted,
-                   mission_arrived, mission_taken, arrival_refused, deletion_told, change_commanded, change_asked,
-                   change_flown, change_stopped, change_answered, change_resolved, assignment_kept, assignment_rejected,
-                   station_plan_taken, station_fence_taken, station_rally_taken, last_line_brought,
-                   station_plan_dropped, task_begun, task_ended, phase_status, station_took_over, start_resolved,
-                   supervision::failsafe_missed, home_kept, home_commanded, person_acted>;
+  using event = std::variant<
+      progress::mission_opened, progress::upload_intended, progress::start_intended, progress::earlier_reports_told,
+      progress::mission_aborted, progress::upload_ended, progress::vehicle_looked_at, progress::plan_read_back,
+      progress::found_begun, progress::start_ended, progress::current_told, progress::reached_told, progress::act_told,
+      progress::picture_told, progress::came_down, progress::other_plan_found, progress::vehicle_rebooted,
+      preflight::checks_wanted, preflight::looked, preflight::acknowledged, preflight::mission_changed,
+      preflight::took_off, preflight::flight_ended, preflight::restarted, mission_arrived, mission_taken,
+      arrival_refused, deletion_told, change_commanded, change_asked, change_flown, change_stopped, change_answered,
+      change_resolved, assignment_kept, assignment_rejected, station_plan_taken, station_fence_taken,
+      station_rally_taken, last_line_brought, station_plan_dropped, task_begun, task_ended, phase_status,
+      station_took_over, start_resolved, supervision::failsafe_missed, home_kept, home_commanded, person_acted>;
   using effect = std::variant<mission_client::report_progress, mission_client::respond_to_assignment,
                               mission_client::insert_waypoint, mission_client::replace_tail, progress::look_at_vehicle,
                               progress::read_plan_back, progress::resolve_start, progress::progress_event,

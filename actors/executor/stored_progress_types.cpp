@@ -3,6 +3,7 @@
 #include "actors/executor/progress/events.hpp"
 #include "runtime/define_message.hpp"
 
+GODWIT_DEFINE_MESSAGE(godwit::executor::progress::act_told);
 GODWIT_DEFINE_MESSAGE(godwit::executor::progress::came_down);
 GODWIT_DEFINE_MESSAGE(godwit::executor::progress::current_told);
 GODWIT_DEFINE_MESSAGE(godwit::executor::progress::look_at_vehicle);
@@ -12,6 +13,7 @@ GODWIT_DEFINE_MESSAGE(godwit::executor::progress::mission_aborted);
 GODWIT_DEFINE_MESSAGE(godwit::executor::progress::mission_opened);
 GODWIT_DEFINE_MESSAGE(godwit::executor::progress::progress_event);
 GODWIT_DEFINE_MESSAGE(godwit::executor::progress::other_plan_found);
+GODWIT_DEFINE_MESSAGE(godwit::executor::progress::picture_told);
 GODWIT_DEFINE_MESSAGE(godwit::executor::progress::plan_read_back);
 GODWIT_DEFINE_MESSAGE(godwit::executor::progress::reached_told);
 GODWIT_DEFINE_MESSAGE(godwit::executor::progress::read_plan_back);

@@ -126,8 +126,10 @@ void take(decision_context& t, const respond_to_assignment& m) {
   auto response = m.response;
   if (response.last_progress && is_left_out(note_of(s, m.mission_id), *response.last_progress))
     response.last_progress.reset();
-  if (response.last_progress)
+  if (response.last_progress) {
+    response.last_progress = as_known(*response.last_progress, s.schema_version);
     response.last_progress->report_no = number_at_service(note_of(s, m.mission_id), response.last_progress->report_no);
+  }
   if (is_repetition(s, key) || !add_row(t,
                                         {.key = key,
                                          .to = destination::assignment_response,

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "actors/domain/mission/read.hpp"
+#include "actors/domain/mission/version.hpp"
 #include "actors/domain/mission/write.hpp"
 #include "actors/mission_client/decision_context.hpp"
 #include "actors/mission_client/keys.hpp"
@@ -91,6 +92,14 @@ void leave_out_of_responses(decision_context& t, const mission_note& note, std::
 
 } // namespace
 
+progress_report as_known(progress_report report, std::string_view schema_version) {
+  if (!mission::knows_outcomes(schema_version)) {
+    report.outcome.reset();
+    report.pictures.reset();
+  }
+  return report;
+}
+
 bool is_left_out(const mission_note& note, const progress_report& report) {
   return report.item_id && std::ranges::find(note.left_out, *report.item_id) != note.left_out.end();
 }
@@ -168,7 +177,7 @@ void take(decision_context& t, const report_progress& m) {
   auto& note = note_of(t.s, m.report.mission_id);
   if (m.report.report_no <= note.last_report_no || find_row(t.s.rows, m.key) != nullptr)
     return;
-  auto report = m.report;
+  auto report = as_known(m.report, t.s.schema_version);
   const auto missing = reports_missing(note, report.report_no);
   if (is_left_out(note, report) || !is_news(note, report)) {
     note.lost_reports += missing;

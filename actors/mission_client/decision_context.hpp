@@ -51,6 +51,8 @@ void take(decision_context& t, const progress_told& m);
 // them are not sent, and the later ones follow without a gap. None of them was sent before: they waited for the change.
 void leave_items_out(decision_context& t, const std::string& mission_id, const std::vector<mission::item>& items,
                      std::uint64_t order);
+// As a service takes it that sends missions of this version.
+[[nodiscard]] mission::progress_report as_known(mission::progress_report report, std::string_view schema_version);
 [[nodiscard]] bool is_left_out(const mission_note& note, const mission::progress_report& report);
 // It has these.
 void note_known_items(decision_context& t, const mission::document& mission);

@@ -102,10 +102,11 @@ void core::take_frame(decision_context& t, io::link::peer_id peer, const mavlink
   if (watch_.vehicle() && from.system != watch_.vehicle()->system && from != ourselves())
     tell_foreign(t, foreign_.on_frame(frame, watch_.vehicle()->system, t.now.monotonic_ns));
   const bool is_relayed = !is_forged && relay(t, frame);
-  const bool is_gimbal = frame.id() == mavlink::gimbal_device_attitude_status::message_id && watch_.vehicle() &&
-                         from.system == watch_.vehicle()->system && !is_forged;
+  const bool may_be_payload = frame.id() == mavlink::gimbal_device_attitude_status::message_id ||
+                              frame.id() == mavlink::camera_image_captured::message_id;
+  const bool is_payload = may_be_payload && watch_.vehicle() && from.system == watch_.vehicle()->system && !is_forged;
   const auto take_message = [&](const auto& message) { take(t, message); };
-  if (!(is_vehicle || is_gimbal) ||
+  if (!(is_vehicle || is_payload) ||
       !(told_messages::visit(frame, take_message) || used_messages::visit(frame, take_message))) {
     if (!is_relayed)
       ++not_accepted_;
@@ -211,6 +212,18 @@ void core::take(decision_context& t, const mavlink::heartbeat& m) {
 // Its clock may be that of the gimbal, and tells nothing of a start of the autopilot.
 void core::take(decision_context& t, const mavlink::gimbal_device_attitude_status& m) {
   t.done.emplace_back(observation(m));
+}
+
+void core::take(decision_context& t, const mavlink::camera_feedback& m) {
+  has_camera_feedback_ = true;
+  t.announce(picture_taken{m.img_idx, true});
+}
+
+// Its clock may be that of the camera. Where an ArduPilot reports the pictures of its camera, that would report each
+// once more, with a number of its own.
+void core::take(decision_context& t, const mavlink::camera_image_captured& m) {
+  if (!has_camera_feedback_)
+    t.announce(picture_taken{m.image_index, m.capture_result == 1});
 }
 
 void core::take(decision_context& t, const mavlink::current_mode& m) {

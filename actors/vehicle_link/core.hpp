@@ -107,6 +107,8 @@ private:
   void take(decision_context& t, const mavlink::command_ack& m);
   void take(decision_context& t, const mavlink::mission_current& m);
   void take(decision_context& t, const mavlink::gimbal_device_attitude_status& m);
+  void take(decision_context& t, const mavlink::camera_feedback& m);
+  void take(decision_context& t, const mavlink::camera_image_captured& m);
   void take(decision_context& t, const mavlink::timesync& m);
   void take(decision_context& t, const mavlink::ping& m);
   template <mavlink::message M>
@@ -164,6 +166,7 @@ private:
   std::optional<transfer::client> transfers_; // with it
   std::uint64_t transfer_request_ = 0;        // who asked for the one under way
 
+  bool has_camera_feedback_ = false;       // of the vehicle
   std::optional<line_findings> told_line_; // to listeners
   std::string link_reason_;
   std::uint64_t reconnects_ = 0;

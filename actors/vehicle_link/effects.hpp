@@ -28,7 +28,7 @@ struct resolved_transfer {
 
 // For whoever listens to the vehicle.
 using announcement = std::variant<connection_changed, vehicle_restarted, signing_alert, line_findings,
-                                  transfer::progress, relayed_frame, foreign_act>;
+                                  transfer::progress, relayed_frame, foreign_act, picture_taken>;
 
 // Who asked for a look at the vehicle has it, or not.
 struct resolved_look {

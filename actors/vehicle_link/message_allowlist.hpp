@@ -12,12 +12,13 @@
 // | MISSION_COUNT, _ITEM_INT, _REQUEST, _REQUEST_INT, _ACK | mission transfer                         |
 // | MISSION_CURRENT          | mission transfer and set-current; told to listeners                    |
 // | TIMESYNC, PING           | answered; PX4 keeps its clock offset with them                         |
+// | CAMERA_FEEDBACK, CAMERA_IMAGE_CAPTURED | told to listeners as picture_taken                       |
 // | the rest of `told`       | told to listeners as they are                                          |
 //
 // MISSION_COUNT, MISSION_CLEAR_ALL, MISSION_WRITE_PARTIAL_LIST and MISSION_SET_CURRENT of anybody else to the vehicle
 // are signs of another plan (foreign_watch), and go no further. RADIO_STATUS is taken from any sender of the link: it
 // is the radio's word and not the autopilot's. Of GIMBAL_DEVICE_ATTITUDE_STATUS any component of the vehicle's system
-// is heard: a gimbal may speak for itself.
+// is heard, as of CAMERA_IMAGE_CAPTURED: a gimbal or a camera may report for itself.
 //
 // | Sent                                                        | When                                  |
 // |-------------------------------------------------------------|---------------------------------------|
@@ -51,9 +52,10 @@ using told_messages = mavlink::message_list<
     mavlink::statustext, mavlink::gimbal_device_attitude_status, mavlink::radio_status>;
 
 // Taken and used here.
-using used_messages = mavlink::message_list<mavlink::command_ack, mavlink::mission_count, mavlink::mission_item_int,
-                                            mavlink::mission_request, mavlink::mission_request_int,
-                                            mavlink::mission_ack, mavlink::timesync, mavlink::ping>;
+using used_messages =
+    mavlink::message_list<mavlink::command_ack, mavlink::mission_count, mavlink::mission_item_int,
+                          mavlink::mission_request, mavlink::mission_request_int, mavlink::mission_ack,
+                          mavlink::timesync, mavlink::ping, mavlink::camera_feedback, mavlink::camera_image_captured>;
 
 using sent_messages =
     mavlink::message_list<mavlink::heartbeat, mavlink::command_long, mavlink::command_int, mavlink::set_mode,

@@ -55,7 +55,8 @@ using telemetry_handle =
                      runtime::tells<io::mavlink::ekf_status_report>, runtime::tells<io::mavlink::estimator_status>,
                      runtime::tells<io::mavlink::current_mode>, runtime::tells<io::mavlink::statustext>,
                      runtime::tells<vehicle_link::connection_changed>, runtime::tells<vehicle_link::vehicle_restarted>,
-                     runtime::tells<vehicle_link::foreign_act>, runtime::tells<vehicle_link::line_findings>>;
+                     runtime::tells<vehicle_link::foreign_act>, runtime::tells<vehicle_link::line_findings>,
+                     runtime::tells<vehicle_link::picture_taken>>;
 
 // All of it.
 using own_handle = runtime::combine<mission_client::listener_handle, operator_handle, view_handle, missions_handle,

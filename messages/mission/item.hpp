@@ -5,7 +5,8 @@
 // One item becomes none, one or several items on the vehicle. Angles are degrees clockwise from north, altitudes metres
 // above the place of take-off, speeds metres a second: over ground, for fixed wings through the air. What may stand in
 // a field is the business of config/schemas/item.schema.json. Two kinds belong to version 2 of the contract: `command`
-// is one item of the vehicle as it is, and `jump` goes back or forth between items. Thread: plain values.
+// is one item of the vehicle as it is, and `jump` goes back or forth between items; so does the camera of a survey.
+// Thread: plain values.
 #pragma once
 
 #include <array>
@@ -66,6 +67,25 @@ struct change_speed {
   friend bool operator==(const change_speed&, const change_speed&) = default;
 };
 
+// By one of the two.
+struct camera_trigger {
+  std::optional<double> distance_m; // along the line, between two pictures
+  std::optional<double> interval_s;
+
+  GODWIT_FIELDS(camera_trigger, "mission.camera_trigger", distance_m, interval_s);
+  friend bool operator==(const camera_trigger&, const camera_trigger&) = default;
+};
+
+// It takes pictures on the lines, and none on the ways between them.
+struct survey_camera {
+  camera_trigger trigger;
+  std::optional<double> gimbal_pitch_deg; // -90: straight down; absent: it is left as it is
+  double turnaround_m = 0;                // so far each line is flown on, before the turn and after it
+
+  GODWIT_FIELDS(survey_camera, "mission.survey_camera", trigger, gimbal_pitch_deg, turnaround_m);
+  friend bool operator==(const survey_camera&, const survey_camera&) = default;
+};
+
 // Parallel lines over an area.
 struct survey {
   std::string id;
@@ -73,9 +93,10 @@ struct survey {
   double altitude_m = 0;
   double line_spacing_m = 0;
   std::optional<double> heading_deg; // of the lines; absent: whoever plans the flight chooses
+  std::optional<survey_camera> camera = {};
 
   static constexpr std::string_view kind = "survey";
-  GODWIT_FIELDS(survey, "mission.survey", id, polygon, altitude_m, line_spacing_m, heading_deg);
+  GODWIT_FIELDS(survey, "mission.survey", id, polygon, altitude_m, line_spacing_m, heading_deg, camera);
   friend bool operator==(const survey&, const survey&) = default;
 };
 
@@ -147,7 +168,9 @@ using item = std::variant<takeoff, waypoint, loiter, change_speed, survey, land,
 
 // Version 1 of the contract does not know it.
 [[nodiscard]] inline bool is_of_version_2(const item& each) {
-  return std::holds_alternative<command_item>(each) || std::holds_alternative<jump>(each);
+  const auto* const area = std::get_if<survey>(&each);
+  return std::holds_alternative<command_item>(each) || std::holds_alternative<jump>(each) ||
+         (area != nullptr && area->camera);
 }
 
 } // namespace godwit::mission

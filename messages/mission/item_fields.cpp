@@ -13,18 +13,44 @@
 
 namespace godwit::mission {
 
+namespace {
+
+template <class V>
+void append_field(std::string& out, const V& value);
+
+// Each after a comma, but for the first of an object that was just begun.
+template <class T>
+void append_fields(std::string& out, const T& value) {
+  io::for_each_field<T>([&]<class Value>(const io::field_entry<T, Value>& entry) {
+    if constexpr (io::is_optional<Value>::value)
+      if (!(value.*entry.member))
+        return;
+    out.append(out.back() == '{' ? "\"" : ",\"").append(entry.name).append("\":");
+    append_field(out, value.*entry.member);
+  });
+}
+
+template <class V>
+void append_field(std::string& out, const V& value) {
+  if constexpr (io::is_optional<V>::value) {
+    append_field(out, *value);
+  } else if constexpr (io::has_fields<V>) {
+    out += '{';
+    append_fields(out, value);
+    out += '}';
+  } else {
+    io::append_json_value(out, value);
+  }
+}
+
+} // namespace
+
 void append_json_value(std::string& out, const item& value) {
   std::visit(
       [&]<class T>(const T& each) {
         out += "{\"kind\":";
         io::append_json_string(out, T::kind);
-        io::for_each_field<T>([&]<class Value>(const io::field_entry<T, Value>& entry) {
-          if constexpr (io::is_optional<Value>::value)
-            if (!(each.*entry.member))
-              return;
-          out.append(",\"").append(entry.name).append("\":");
-          io::append_json_value(out, each.*entry.member);
-        });
+        append_fields(out, each);
         out += '}';
       },
       value);

@@ -14,7 +14,7 @@ namespace godwit::mission {
 enum class progress_kind {
   started,
   reached,
-  passed, // an item that acts or waits: the vehicle has gone on from it, which does not say that the act was of use
+  passed, // an item that acts or waits: the vehicle has gone on from it; whether the act succeeded says its outcome
   skipped,
   complete,
   aborted
@@ -27,6 +27,24 @@ GODWIT_ENUM_NAMES(progress_kind, started, reached, passed, skipped, complete, ab
   return kind == progress_kind::reached || kind == progress_kind::passed || kind == progress_kind::skipped;
 }
 
+// What became of an act, as the vehicle or its camera reports it.
+enum class act_outcome {
+  confirmed, // it is done
+  failed     // it is not: the load is still on board, the picture was not taken
+};
+
+GODWIT_ENUM_NAMES(act_outcome, confirmed, failed);
+
+// Pictures taken on the way to an item, or by it. Numbers as the autopilot or the camera counts them.
+struct picture_count {
+  std::uint32_t taken = 0;
+  std::optional<std::int32_t> first = {}; // absent: none was taken
+  std::optional<std::int32_t> last = {};
+  std::optional<std::uint32_t> planned = {}; // by the trigger's distance; absent: no trigger was on
+  GODWIT_FIELDS(picture_count, "mission.picture_count", taken, first, last, planned);
+  friend bool operator==(const picture_count&, const picture_count&) = default;
+};
+
 struct progress_report {
   std::string mission_id; // UUID
   std::int32_t revision = 1;
@@ -37,9 +55,12 @@ struct progress_report {
   std::optional<std::uint32_t> item_index; // from 0 on; absent as item_id
   std::string at;                          // UTC, RFC 3339
   bool inferred = false;                   // concluded from what came later
+  // Both are sent to services of version 2.1 on.
+  std::optional<act_outcome> outcome = {}; // absent: nobody reported what became of it
+  std::optional<picture_count> pictures = {};
 
   GODWIT_FIELDS(progress_report, "mission.progress_report", mission_id, revision, generation, report_no, kind, item_id,
-                item_index, at, inferred);
+                item_index, at, inferred, outcome, pictures);
   friend bool operator==(const progress_report&, const progress_report&) = default;
 };
 

@@ -31,6 +31,14 @@ struct foreign_act {
   GODWIT_FIELDS(foreign_act, "vehicle_link.foreign_act", kind, command, system, component, at_ns);
 };
 
+// A picture was taken, or failed, as the autopilot or a camera of its system reports it. Source: CAMERA_FEEDBACK (180),
+// CAMERA_IMAGE_CAPTURED (263).
+struct picture_taken {
+  std::int32_t index = 0; // as its sender counts
+  bool is_good = true;
+  GODWIT_FIELDS(picture_taken, "vehicle_link.picture_taken", index, is_good);
+};
+
 // Asks the vehicle for a heartbeat, and is answered when one has come that it sent after it was asked: HEARTBEATs that
 // came before are told to listeners before the answer. A newer look takes the place of one that waits.
 struct look {

@@ -113,6 +113,10 @@ void add_item_problems(std::span<const item> items, const std::string& pointer, 
     if (const auto* command = std::get_if<command_item>(&items[i]))
       add_command_place(*command, here, problems);
     if (const auto* area = std::get_if<survey>(&items[i])) {
+      if (area->camera && area->camera->trigger.distance_m.has_value() == area->camera->trigger.interval_s.has_value())
+        problems.push_back({pointer_to(pointer_to(here, "camera"), "trigger"),
+                            area->camera->trigger.distance_m ? "has `distance_m` and `interval_s`" : "has neither",
+                            "`distance_m` or `interval_s`"});
       corners += area->polygon.size();
       if (corners <= max_corners_in_mission)
         add_polygon_problems(area->polygon, pointer_to(here, "polygon"), problems);

@@ -1,12 +1,18 @@
 // The version of the contract that a mission states, when something is added to it. Thread: pure.
 #pragma once
 
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "messages/mission/document.hpp"
 
 namespace godwit::mission {
+
+// A service that sends missions of this version takes `outcome` and `pictures` in a report (2.1).
+[[nodiscard]] inline bool knows_outcomes(std::string_view stated) {
+  return !stated.empty() && !stated.starts_with("1.") && !stated.starts_with("2.0.");
+}
 
 // A mission states version 2 when something in it needs that.
 inline void raise_version(document& value) {

@@ -206,6 +206,7 @@ std::optional<plan::plan_setting> flight_context::setting(instant now) const {
   result.marks_landings = configured.marks_landings;
   result.profile = view.profile();
   result.allowed_commands = configured.allowed_commands;
+  result.stops_camera = camera_to_stop(s);
   return result;
 }
 

@@ -15,8 +15,10 @@ namespace {
 
 constexpr std::size_t max_announced_notes = 8; // of one plan: more than anyone reads at once
 
-deployment deployment_of(const mission::document& mission, const plan::flight_plan& what) {
+deployment deployment_of(const state& s, const mission::document& mission, const plan::flight_plan& what) {
   deployment result;
+  if (s.status.in_flight)
+    result.left = survey_left(s);
   result.mission = mission;
   result.items = what.items;
   result.landing_sequence = what.landing_sequence;
@@ -53,8 +55,8 @@ void task_control::begin(effects& out, task_kind kind, steps way, bool goes_on, 
 void task_control::begin_deploy(effects& out, const mission::document& mission, const plan::flight_plan& what,
                                 const std::optional<std::string>& assignment, bool goes_on) {
   announce_notes(out, what);
-  begin_plan(out, {flight_.s.last_task + 1, task_kind::deploy, goes_on, {}}, deployment_of(mission, what), what.map,
-             assignment);
+  begin_plan(out, {flight_.s.last_task + 1, task_kind::deploy, goes_on, {}}, deployment_of(flight_.s, mission, what),
+             what.map, assignment);
 }
 
 void task_control::begin_bring_back(effects& out, const mission::document& mission, const plan::flight_plan& what) {
@@ -64,14 +66,14 @@ void task_control::begin_bring_back(effects& out, const mission::document& missi
 
 void task_control::begin_part(effects& out, const station_plan_taken& part, const plan::flight_plan& what,
                               std::uint64_t key) {
-  auto brings = deployment_of(part.mission, what);
+  auto brings = deployment_of(flight_.s, part.mission, what);
   brings.station = part.plan;
   announce_notes(out, what);
   begin_plan(out, {flight_.s.last_task + 1, task_kind::deploy, true, key}, std::move(brings), what.map);
 }
 
 void task_control::begin_upload(effects& out, const station_plan_taken& next, const plan::flight_plan& what) {
-  auto brings = deployment_of(next.mission, what);
+  auto brings = deployment_of(flight_.s, next.mission, what);
   brings.station = next.plan;
   brings.is_upload = true;
   announce_notes(out, what);
@@ -80,7 +82,7 @@ void task_control::begin_upload(effects& out, const station_plan_taken& next, co
 
 void task_control::begin_way_home(effects& out, const plan::flight_plan& what) {
   begin_plan(out, {flight_.s.last_task + 1, task_kind::come_home_by_plan, true, {}},
-             deployment_of(*flight_.s.mission, what), what.map);
+             deployment_of(flight_.s, *flight_.s.mission, what), what.map);
 }
 
 void task_control::begin_plan(effects& out, const task& doing, deployment brings, const progress::plan_map& map,

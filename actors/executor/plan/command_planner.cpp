@@ -43,24 +43,6 @@ bool is_loiter(const mission::command_item& item) {
          item.command == number(mav_cmd::nav_loiter_time) || item.command == number(mav_cmd::nav_loiter_to_alt);
 }
 
-// Of a camera trigger, what ends it; nothing: none is known.
-std::optional<mission::command_item> switched_off(const mission::command_item& item) {
-  constexpr std::uint8_t no_position = 2;
-  const bool captures = item.command == number(mav_cmd::image_start_capture);
-  const auto first = captures ? item.params[0] : std::optional<double>(0);
-  mission::command_item result{item.id, item.command, no_position, {first, 0, 0, 0, 0, 0, 0}, true};
-  switch (static_cast<mav_cmd>(item.command)) {
-  case mav_cmd::image_start_capture:
-    result.command = number(mav_cmd::image_stop_capture);
-    return result;
-  case mav_cmd::do_set_cam_trigg_dist:
-  case mav_cmd::do_trigger_control:
-    return result;
-  default:
-    return std::nullopt;
-  }
-}
-
 } // namespace
 
 item_answer item_planner::answer_to(const mission::command_item& item) const {
@@ -193,7 +175,7 @@ item_planner::outcome item_planner::plan(const mission::jump& item) {
   return std::nullopt;
 }
 
-// An operator has sent the vehicle away from its mission: on the way there no pictures are made. Its speed is kept.
+// An operator has sent the vehicle away from its mission: its speed is kept.
 void item_planner::leave_line() {
   if (index_ != *rest_from_)
     return;
@@ -204,8 +186,6 @@ void item_planner::leave_line() {
       continue;
     if (state == mission::command_state::speed)
       writer_.repeat(command_item_of(command, setting_));
-    else if (const auto off = switched_off(command); off && state == mission::command_state::trigger)
-      writer_.repeat(command_item_of(*off, setting_));
   }
 }
 

@@ -5,8 +5,9 @@
 namespace godwit::executor::plan {
 
 std::uint32_t lines_done_at(const planned_survey& survey, std::uint16_t sequence) {
-  const int ends = std::clamp(sequence - survey.first_line_sequence, 0, 2 * survey.line_count);
-  return survey.lines_before + static_cast<std::uint32_t>(ends / 2);
+  const int begun = sequence - survey.first_line_sequence + survey.items_after_line;
+  return survey.lines_before +
+         static_cast<std::uint32_t>(std::clamp(begun / int{survey.items_per_line}, 0, int{survey.line_count}));
 }
 
 } // namespace godwit::executor::plan

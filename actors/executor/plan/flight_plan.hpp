@@ -32,14 +32,17 @@ struct leg {
   double times = 1;             // that it is flown, by the rounds of jumps; of an endless one a single round counts
 };
 
-// A survey in a plan: two vehicle items for each line, its beginning and its end.
+// A survey in a plan: for each line two places, its beginning and its end, and what belongs to its camera.
 struct planned_survey {
   std::uint32_t item_index = 0;   // in the mission
   std::uint32_t lines_before = 0; // flown by an earlier plan, and left out
   std::uint16_t first_line_sequence = 0;
   std::uint16_t line_count = 0; // in this plan
+  std::uint16_t items_per_line = 2;
+  std::uint16_t items_after_line = 0; // of those, so many come after its end
 
-  GODWIT_FIELDS(planned_survey, "executor.planned_survey", item_index, lines_before, first_line_sequence, line_count);
+  GODWIT_FIELDS(planned_survey, "executor.planned_survey", item_index, lines_before, first_line_sequence, line_count,
+                items_per_line, items_after_line);
 };
 
 struct flight_plan {

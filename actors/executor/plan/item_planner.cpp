@@ -10,7 +10,6 @@
 #include "actors/executor/plan/change_ids.hpp"
 #include "actors/executor/plan/mission_look.hpp"
 #include "actors/executor/plan/places.hpp"
-#include "actors/executor/plan/survey/survey_lines.hpp"
 #include "actors/executor/plan/vehicle_items.hpp"
 
 namespace godwit::executor::plan {
@@ -28,16 +27,6 @@ bool is_same_place(const Place& a, const Other& b) {
 }
 
 std::string whole(double value) { return std::to_string(std::lround(value)); }
-
-// What is wrong with a survey, and what helps.
-std::pair<std::string, std::string> words_for(plan_errc code) {
-  if (code == plan_errc::area_too_large)
-    return {"Its area reaches farther than " + whole(max_survey_radius_m / 1000) + " km", "divide it"};
-  if (code == plan_errc::too_many_lines)
-    return {"Its area would take more than " + std::to_string(max_survey_lines) + " lines",
-            "put the lines farther apart, or divide the area"};
-  return {"Not even a short line lies in its area", "make the area larger"};
-}
 
 } // namespace
 
@@ -205,31 +194,6 @@ item_planner::outcome item_planner::plan(const mission::loiter& item) {
 
 item_planner::outcome item_planner::plan(const mission::change_speed& item) {
   writer_.set_speed(item.mps);
-  return std::nullopt;
-}
-
-item_planner::outcome item_planner::plan(const mission::survey& item) {
-  if (auto problem = why_not_flown())
-    return problem;
-  const auto lines = survey_lines(item, point_of(place_before(mission_, index_)));
-  if (!lines) {
-    auto [what, remedy] = words_for(lines.error());
-    return error(lines.error(), std::move(what), std::move(remedy));
-  }
-  if (lines_before_ >= lines->size())
-    return std::nullopt;
-  const auto place = [&](const geo::point& at) -> mission::position {
-    return {at.latitude_deg, at.longitude_deg, item.altitude_m};
-  };
-  writer_.begin_survey(lines_before_);
-  for (auto line = lines->begin() + lines_before_; line != lines->end(); ++line)
-    for (const auto& at : {place(line->from), place(line->to)}) {
-      if (auto problem = why_not_there(at))
-        return problem;
-      writer_.cruise_to(at);
-      writer_.add_nav(waypoint_item(at, 0, 0, setting_));
-    }
-  writer_.end_survey();
   return std::nullopt;
 }
 

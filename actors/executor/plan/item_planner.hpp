@@ -38,6 +38,7 @@
 #include "actors/executor/plan/plan_error.hpp"
 #include "actors/executor/plan/plan_writer.hpp"
 #include "actors/executor/plan/setting.hpp"
+#include "actors/executor/plan/survey/survey_lines.hpp"
 #include "messages/mission/document.hpp"
 
 namespace godwit::executor::plan {
@@ -101,6 +102,7 @@ private:
   void repeat_or_leave_line();
   void repeat_state();
   void leave_line();
+  [[nodiscard]] outcome fly_line(const mission::survey& item, const survey_line& line);
 
   outcome return_by_places(const mission::position& goal);
   void return_by_itself(const mission::position& goal);

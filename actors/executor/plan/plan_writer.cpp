@@ -10,6 +10,7 @@
 #include "actors/domain/geo/geodesic.hpp"
 #include "actors/executor/plan/places.hpp"
 #include "actors/executor/plan/vehicle_items.hpp"
+#include "actors/executor/progress/acts.hpp"
 #include "runtime/assert.hpp"
 
 namespace godwit::executor::plan {
@@ -61,6 +62,8 @@ plan_writer::plan_writer(const plan_setting& setting, const mission::position& s
   plan_.map.start_sequence = plan_.map.first_sequence;
   if (sets_home_in_plan(setting) && !is_under_way)
     plan_.items.push_back(set_home_item(setting));
+  if (setting.stops_camera && is_under_way)
+    plan_.items.push_back(*setting.stops_camera);
   for (std::size_t i = 0; i < plan_.items.size(); ++i)
     plan_.items[i].seq = sequence_of(i);
 }
@@ -75,16 +78,40 @@ void plan_writer::append(const mission_item_int& item) {
   const auto sequence = sequence_of(plan_.items.size());
   plan_.items.push_back(item);
   plan_.items.back().seq = sequence;
+  note_trigger(item);
   if (plan_.map.items.empty())
     return; // of the lead-in
   auto& owner = plan_.map.items.back();
   ++owner.sequence_count;
+  if (owner.role != progress::item_role::unflown && trigger_m_ == 0 && !is_triggering_)
+    owner.act = progress::act_of(item, is_ardupilot(setting_));
   if (!is_nav(item) || owner.role == progress::item_role::unflown)
     return;
   owner.last_nav_sequence = sequence;
   if (!owner.first_nav_sequence)
     owner.first_nav_sequence = sequence;
   ++navs_;
+}
+
+void plan_writer::note_trigger(const mission_item_int& item) {
+  using io::mavlink::mav_cmd;
+  switch (static_cast<mav_cmd>(item.command)) {
+  case mav_cmd::do_set_cam_trigg_dist:
+    trigger_m_ = std::max(0.0F, item.param1);
+    break;
+  case mav_cmd::do_set_cam_trigg_interval:
+  case mav_cmd::do_trigger_control:
+    is_triggering_ = item.param1 > 0;
+    break;
+  case mav_cmd::image_start_capture:
+    is_triggering_ = item.param3 != 1;
+    break;
+  case mav_cmd::image_stop_capture:
+    is_triggering_ = false;
+    break;
+  default:
+    break;
+  }
 }
 
 void plan_writer::set_speed(double mps) {
@@ -148,8 +175,10 @@ void plan_writer::add_jump(const mission_item_int& item, const std::string& to) 
 
 void plan_writer::jump_to(const mission::position& to) {
   const auto here = here_;
+  const double trigger_m = std::exchange(trigger_m_, 0);
   go(leg_kind::cruise, to);
   here_ = here;
+  trigger_m_ = trigger_m;
 }
 
 void plan_writer::begin_branch() {
@@ -166,19 +195,28 @@ std::optional<std::string> plan_writer::missing_target() const {
   return std::nullopt;
 }
 
-void plan_writer::begin_survey(std::uint32_t lines_before) {
+void plan_writer::begin_survey(std::uint32_t lines_before, std::uint16_t items_per_line,
+                               std::uint16_t items_after_line) {
   pay_speed();
-  plan_.surveys.push_back({plan_.map.items.back().item_index, lines_before, sequence_of(plan_.items.size()), 0});
+  plan_.surveys.push_back({.item_index = plan_.map.items.back().item_index,
+                           .lines_before = lines_before,
+                           .first_line_sequence = sequence_of(plan_.items.size()),
+                           .items_per_line = items_per_line,
+                           .items_after_line = items_after_line});
 }
 
 void plan_writer::end_survey() {
   auto& survey = plan_.surveys.back();
-  survey.line_count = static_cast<std::uint16_t>((plan_.items.size() - survey.first_line_sequence) / 2);
+  survey.line_count =
+      static_cast<std::uint16_t>((plan_.items.size() - survey.first_line_sequence) / survey.items_per_line);
 }
 
 void plan_writer::go(leg_kind kind, const mission::position& to) {
   if (!std::exchange(skips_leg_, false))
     plan_.legs.push_back({kind, here_, to, item_index()});
+  if (trigger_m_ > 0 && kind == leg_kind::cruise && !plan_.map.items.empty())
+    plan_.map.items.back().pictures +=
+        static_cast<std::uint32_t>(geo::distance_m(point_of(here_), point_of(to)) / trigger_m_);
   here_ = to;
 }
 

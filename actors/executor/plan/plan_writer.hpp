@@ -47,7 +47,7 @@ public:
   void end_lead_in(const std::string& entry);
   void note(std::string sentence) { plan_.notes.push_back(std::move(sentence)); }
   // Behind it come its lines.
-  void begin_survey(std::uint32_t lines_before);
+  void begin_survey(std::uint32_t lines_before, std::uint16_t items_per_line, std::uint16_t items_after_line);
   void end_survey();
 
   void climb_to(double altitude_m);
@@ -80,6 +80,7 @@ public:
 
 private:
   void append(const io::mavlink::mission_item_int& item);
+  void note_trigger(const io::mavlink::mission_item_int& item);
   [[nodiscard]] std::uint32_t item_index() const;
   void go(leg_kind kind, const mission::position& to);
   void pay_speed();
@@ -95,7 +96,9 @@ private:
   std::optional<double> speed_mps_;
   std::size_t navs_ = 0;
   bool is_branch_ = false;
-  bool skips_leg_ = false; // its next place is not flown to from here
+  double trigger_m_ = 0;       // of a camera that triggers by distance; 0: it does not
+  bool is_triggering_ = false; // it triggers by time
+  bool skips_leg_ = false;     // its next place is not flown to from here
   mission::position landed_at_;
   struct planned_jump {
     std::uint16_t sequence;

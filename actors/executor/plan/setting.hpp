@@ -51,6 +51,8 @@ struct plan_setting {
   // Which commands it takes, passes over and refuses; absent: not known, and all are believed to be taken.
   std::optional<mission::vehicle_profile> profile;
   mission::allowed_commands allowed_commands; // flight.allowed_commands
+  // What ends the pictures of the line on which the vehicle is: each plan that takes it from there begins with it.
+  std::optional<io::mavlink::mission_item_int> stops_camera = {};
 };
 
 // Where the vehicle returns to by itself when it flies the plans of WHERE: home moves to where it is armed, unless it

@@ -159,6 +159,35 @@ mission_item_int jump_item(std::int32_t times) {
   return bare_item(mav_cmd::do_jump, {0, static_cast<double>(times), 0, 0});
 }
 
+std::optional<mission_item_int> camera_to_stop(std::span<const mission_item_int> items, std::size_t sequence) {
+  std::optional<mission_item_int> found;
+  for (const auto& each : items.first(std::min(sequence, items.size()))) {
+    bool is_on = false;
+    auto off = each;
+    off.param1 = off.param2 = off.param3 = 0;
+    switch (static_cast<mav_cmd>(each.command)) {
+    case mav_cmd::do_set_cam_trigg_dist:
+    case mav_cmd::do_set_cam_trigg_interval:
+    case mav_cmd::do_trigger_control:
+      is_on = each.param1 > 0;
+      break;
+    case mav_cmd::image_start_capture:
+      if (each.param3 == 1)
+        continue; // a single one
+      is_on = true;
+      off.command = number(mav_cmd::image_stop_capture);
+      off.param1 = each.param1;
+      break;
+    case mav_cmd::image_stop_capture:
+      break;
+    default:
+      continue;
+    }
+    found = is_on ? std::optional(off) : std::nullopt;
+  }
+  return found;
+}
+
 // A plane flies past a waypoint and does not wait for NAV_DELAY; an ArduPilot flies on while a CONDITION_DELAY runs.
 double wait_of(const mission_item_int& item, const plan_setting& setting) {
   const bool is_plane = setting.vehicle == vehicle_class::fixed_wing;

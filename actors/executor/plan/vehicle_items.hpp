@@ -6,7 +6,10 @@
 // MAVLink's common.xml, MAV_CMD; ArduPilot's AP_Mission, mavlink_int_to_mission_cmd.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 
 #include "actors/executor/plan/setting.hpp"
 #include "io/mavlink/enums.hpp"
@@ -47,6 +50,11 @@ using io::mavlink::mission_item_int;
 [[nodiscard]] double altitude_of(const mission::command_item& item, const plan_setting& setting);
 // Its target is filled in when all sequences are known.
 [[nodiscard]] mission_item_int jump_item(std::int32_t times);
+
+// What ends the pictures by distance or time that ITEMS have begun before SEQUENCE, and not ended. Nothing: there are
+// none.
+[[nodiscard]] std::optional<mission_item_int> camera_to_stop(std::span<const mission_item_int> items,
+                                                             std::size_t sequence);
 
 // It moves the vehicle, or holds it in its place for a time.
 // So many seconds the vehicle stays for it, as far as it says so.

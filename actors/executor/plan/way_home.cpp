@@ -26,6 +26,8 @@ flight_plan way_home(const std::vector<mission::waypoint>& turns, const plan_set
     items.push_back(home_item(setting));
   result.map.first_sequence = static_cast<std::uint16_t>(items.size());
   result.map.start_sequence = result.map.first_sequence;
+  if (setting.stops_camera)
+    items.push_back(*setting.stops_camera);
   for (const auto& each : turns)
     items.push_back(waypoint_item(each.at, 0, each.accept_radius_m, setting));
   items.push_back(last_item(turns, setting, to));

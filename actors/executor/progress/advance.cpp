@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "actors/executor/progress/acts.hpp"
 #include "actors/executor/progress/patience.hpp"
 #include "runtime/assert.hpp"
 #include "runtime/planted_bug.hpp"
@@ -47,8 +48,10 @@ void resolve_next(decision_context& t, progress_kind kind, bool is_inferred) {
     is_inferred = false;
     tell(t, progress_event_kind::place_missed, item.item_id);
   }
+  const auto resolved_as = kind_for(item, kind);
+  const auto findings = take_findings(t, plan.generation.resolved, resolved_as);
   if (item.sequence_count > 0)
-    report_item(t, kind_for(item, kind), item, is_inferred);
+    report_item(t, resolved_as, item, is_inferred && !findings.outcome, findings);
   else if (plan.generation.resolved >= plan.ever_resolved)
     report_item(t, progress_kind::skipped, item, false);
   ++plan.generation.resolved;
@@ -152,7 +155,8 @@ void move_on(decision_context& t, std::uint16_t sequence) {
   leave_loops(t, g.current, sequence);
   const bool was_waiting = is_waiting(g);
   g.moved_to = sequence;
-  if (awaits_reached(*t.s.plan))
+  adopt_early_picture(t);
+  if (awaits_reached(*t.s.plan) || awaits_outcome(*t.s.plan))
     wait_if_new(t, was_waiting);
   else
     adopt_move(t);
@@ -163,7 +167,7 @@ void go_round(decision_context& t, const plan_loop& loop, std::uint16_t sequence
   auto& g = t.s.plan->generation;
   if (g.moved_to.value_or(g.current) < loop.jump_sequence)
     move_on(t, loop.jump_sequence);
-  if (g.moved_to && !is_over(g.waiting_since_ns, t.now_ns, reached_late_ns))
+  if (g.moved_to && !has_waited(t))
     return;
   if (g.moved_to)
     adopt_move(t);
@@ -200,11 +204,13 @@ void arrive(decision_context& t, std::uint16_t sequence) {
   auto& g = plan.generation;
   resolve_passed(t, sequence);
   const auto position = position_at(plan.map, sequence);
-  if (position && *position == g.resolved && done_sequence(plan.map.items[*position]) == sequence) {
+  if (position && *position == g.resolved && done_sequence(plan.map.items[*position]) == sequence &&
+      !awaits_outcome(plan, *position)) {
     resolve_next(t, progress_kind::reached, false);
     finish_if_done(t, false);
   }
-  if (g.moved_to)
+  adopt_early_picture(t);
+  if (g.moved_to && !awaits_outcome(plan))
     adopt_move(t);
   if (g.complete_upto && sequence >= *g.complete_upto)
     adopt_complete(t);
@@ -225,6 +231,17 @@ void note_complete(decision_context& t, std::uint16_t sequence) {
     wait_if_new(t, was_waiting);
   else
     adopt_complete(t);
+}
+
+bool has_waited(const decision_context& t) {
+  const auto& plan = *t.s.plan;
+  return is_over(plan.generation.waiting_since_ns, t.now_ns, awaits_outcome(plan) ? outcome_late_ns : reached_late_ns);
+}
+
+void go_on_if_known(decision_context& t) {
+  const auto& plan = *t.s.plan;
+  if (plan.generation.moved_to && !awaits_reached(plan) && !awaits_outcome(plan))
+    adopt_move(t);
 }
 
 void catch_up(decision_context& t) {
@@ -252,6 +269,8 @@ void begin(decision_context& t) {
 void open_generation(decision_context& t, generation_origin origin, std::uint16_t start,
                      const std::vector<mapped_item>& left_out) {
   auto& plan = *t.s.plan;
+  const bool goes_on = origin == generation_origin::start || origin == generation_origin::same_plan;
+  const auto pictures = goes_on ? plan.generation.pictures : mission::picture_count();
   plan.generation = {.number = ++t.s.last_generation,
                      .origin = origin,
                      .start_sequence = start,
@@ -260,7 +279,8 @@ void open_generation(decision_context& t, generation_origin origin, std::uint16_
                      .complete_upto = {},
                      .stale_reached = plan.vehicle_plan_id ? plan.last_reached : std::nullopt,
                      .never_near = {},
-                     .started_position = {}};
+                     .started_position = {},
+                     .pictures = pictures};
   for (const auto& each : left_out)
     report_item(t, progress_kind::skipped, each, false);
   auto& resolved = plan.generation.resolved;

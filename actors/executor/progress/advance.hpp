@@ -34,6 +34,12 @@ void note_heard(decision_context& t, std::uint16_t sequence);
 // It has reached SEQUENCE: the one where it is, or one that it has just left.
 void arrive(decision_context& t, std::uint16_t sequence);
 
+// What is awaited of what it has left may have come by now.
+[[nodiscard]] bool has_waited(const decision_context& t);
+
+// What it has moved on to is adopted when nothing is awaited any more of what it has left.
+void go_on_if_known(decision_context& t);
+
 // It says at SEQUENCE that the mission is complete.
 void note_complete(decision_context& t, std::uint16_t sequence);
 

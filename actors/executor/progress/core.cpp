@@ -1,5 +1,6 @@
 #include "actors/executor/progress/core.hpp"
 
+#include "actors/executor/progress/acts.hpp"
 #include "actors/executor/progress/decision_context.hpp"
 #include "actors/executor/progress/follow.hpp"
 #include "actors/executor/progress/open_mission.hpp"

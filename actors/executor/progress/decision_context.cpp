@@ -27,12 +27,15 @@ mission::progress_report& add_report(decision_context& t, mission::progress_kind
 
 } // namespace
 
-void report_item(decision_context& t, mission::progress_kind kind, const mapped_item& item, bool is_inferred) {
+void report_item(decision_context& t, mission::progress_kind kind, const mapped_item& item, bool is_inferred,
+                 const item_findings& findings) {
   GODWIT_ASSERT(t.s.plan && t.s.plan->generation.number == t.s.last_generation,
                 "only the newest generation is reported on");
   auto& what = add_report(t, kind, is_inferred);
   what.item_id = item.item_id;
   what.item_index = item.item_index;
+  what.outcome = findings.outcome;
+  what.pictures = findings.pictures;
   t.out.emplace_back(what);
 }
 

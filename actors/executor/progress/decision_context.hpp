@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "actors/executor/progress/effects.hpp"
@@ -17,8 +18,15 @@ struct decision_context {
   std::int64_t now_ns; // since 1970 (UTC)
 };
 
+// What is known of an item beside that the vehicle has gone on from it.
+struct item_findings {
+  std::optional<mission::act_outcome> outcome;
+  std::optional<mission::picture_count> pictures;
+};
+
 // About one item of the mission. The plan is there.
-void report_item(decision_context& t, mission::progress_kind kind, const mapped_item& item, bool is_inferred);
+void report_item(decision_context& t, mission::progress_kind kind, const mapped_item& item, bool is_inferred,
+                 const item_findings& findings = {});
 
 // About the open mission as a whole.
 void report_mission(decision_context& t, mission::progress_kind kind, bool is_inferred);

@@ -49,13 +49,16 @@ enum class progress_event_kind {
   mission_complete,  // and no further plan follows
   upload_failed,     // the plan before stays in force
   place_missed,      // its track contradicts that it was at an item, which the reason names
+  act_failed,        // the reason says which, and what the vehicle reported
+  pictures_missing,  // of a line: the reason is the sentence
   foreign_plan,      // paused: the vehicle holds a plan that is not ours
   infeasible_plan,   // paused: the vehicle finds that the plan that was brought to it can not be flown
   vehicle_restarted  // paused: what the vehicle flew is lost
 };
 
 GODWIT_ENUM_NAMES(progress_event_kind, generation_opened, armed, not_at_start, plan_done, mission_complete,
-                  upload_failed, place_missed, foreign_plan, infeasible_plan, vehicle_restarted);
+                  upload_failed, place_missed, act_failed, pictures_missing, foreign_plan, infeasible_plan,
+                  vehicle_restarted);
 
 struct progress_event {
   static constexpr auto goes_out = runtime::effect_kind::at_once;

@@ -2,7 +2,8 @@
 //
 // The intents are told before the vehicle is: an intent that is on the disk is what a restart has to resolve. At most
 // one intent is under way at a time. Events from the vehicle are told as they come, late and repeated ones too. Thread:
-// plain values. Source: MISSION_CURRENT (42), MISSION_ITEM_REACHED (46), MISSION_ACK (47).
+// plain values. Source: MISSION_CURRENT (42), MISSION_ITEM_REACHED (46), MISSION_ACK (47), STATUSTEXT (253),
+// CAMERA_FEEDBACK (180), CAMERA_IMAGE_CAPTURED (263).
 #pragma once
 
 #include <cstdint>
@@ -135,6 +136,20 @@ struct reached_told {
   GODWIT_FIELDS(reached_told, "executor.progress_reached_told", sequence, never_near);
 };
 
+// By a text of the vehicle.
+struct act_told {
+  act_kind act = act_kind::none;
+  mission::act_outcome outcome = mission::act_outcome::confirmed;
+  std::string text; // as it came
+  GODWIT_FIELDS(act_told, "executor.progress_act_told", act, outcome, text);
+};
+
+struct picture_told {
+  std::int32_t index = 0; // as the camera counts
+  bool is_good = true;
+  GODWIT_FIELDS(picture_told, "executor.progress_picture_told", index, is_good);
+};
+
 // It stands on the ground, disarmed, and nobody has taken it from its mission: a plan that ends with a landing or a
 // return has brought it there. ArduPilot's Copter lands, disarms and sets its mission back to the first item without a
 // word that it was done; PX4 leaves its mission mode for the return.
@@ -154,6 +169,6 @@ struct vehicle_rebooted {
 
 using event = std::variant<mission_opened, earlier_reports_told, upload_intended, start_intended, mission_aborted,
                            upload_ended, vehicle_looked_at, plan_read_back, found_begun, start_ended, current_told,
-                           reached_told, came_down, other_plan_found, vehicle_rebooted>;
+                           reached_told, act_told, picture_told, came_down, other_plan_found, vehicle_rebooted>;
 
 } // namespace godwit::executor::progress

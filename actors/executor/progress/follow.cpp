@@ -106,7 +106,7 @@ void follow_armed(decision_context& t, const mission_current& message) {
     return;
   note_mission_state(g, message);
   note_heard(t, message.seq);
-  if (is_over(g.waiting_since_ns, t.now_ns, reached_late_ns))
+  if (has_waited(t))
     catch_up(t);
   const auto at = g.moved_to.value_or(g.current);
   if (is_in_plan && message.seq > at)
@@ -239,6 +239,7 @@ void take(decision_context& t, const vehicle_rebooted&) {
     t.s.upload->unconfirmed_reached.reset();
   if (t.s.plan)
     t.s.plan->last_reached.reset();
+  t.s.last_picture.reset(); // it counts anew
   const bool is_paused_otherwise = t.s.paused && t.s.paused != pause_reason::vehicle_restarted &&
                                    t.s.paused != pause_reason::infeasible_plan; // it has not judged it yet
   if (t.s.plan && !is_paused_otherwise)

@@ -14,6 +14,10 @@ inline constexpr std::int64_t settling_ns = 2'000'000'000;
 // apart. The item counts as left without one when this is over.
 inline constexpr std::int64_t reached_late_ns = 1'000'000'000;
 
+// A gripper reports that it has released its load half a second after the vehicle has gone on, a camera its picture up
+// to a second after that. So long an act that may be confirmed waits for it.
+inline constexpr std::int64_t outcome_late_ns = 2'000'000'000;
+
 // A wall clock that was set back ends the wait: to wait for it could take years.
 [[nodiscard]] constexpr bool is_over(std::int64_t since_ns, std::int64_t now_ns, std::int64_t span_ns) {
   return now_ns < since_ns || now_ns - since_ns >= span_ns;

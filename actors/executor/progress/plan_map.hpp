@@ -23,11 +23,22 @@ namespace godwit::executor::progress {
 // What becomes of an item that the vehicle has left.
 enum class item_role {
   flown,  // it was reached
-  acts,   // it was passed: whether the act was of use, a vehicle does not report
+  acts,   // it was passed: that the act succeeded is another matter
   unflown // the vehicle keeps it and does not execute it
 };
 
 GODWIT_ENUM_NAMES(item_role, flown, acts, unflown);
+
+// What of an item the vehicle, or its camera, reports beside that it goes on.
+enum class act_kind {
+  none,
+  release, // of the gripper's load
+  grab,
+  placement, // of a load on the ground
+  picture    // a single one
+};
+
+GODWIT_ENUM_NAMES(act_kind, none, release, grab, placement, picture);
 
 struct mapped_item {
   std::string item_id;
@@ -38,9 +49,11 @@ struct mapped_item {
   std::optional<std::uint16_t> first_nav_sequence;
   std::optional<std::uint16_t> last_nav_sequence;
   item_role role = item_role::flown;
+  act_kind act = act_kind::none;
+  std::uint32_t pictures = 0; // that a distance trigger takes on the way to it
 
   GODWIT_FIELDS(mapped_item, "executor.progress_mapped_item", item_id, item_index, first_sequence, sequence_count,
-                first_nav_sequence, last_nav_sequence, role);
+                first_nav_sequence, last_nav_sequence, role, act, pictures);
   friend bool operator==(const mapped_item&, const mapped_item&) = default;
 };
 

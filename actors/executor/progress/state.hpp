@@ -41,6 +41,22 @@ struct mission_record {
                 completed_revision, jumps);
 };
 
+// An act of which it is known what became of it, before the vehicle has gone on from it.
+struct resolved_act {
+  std::uint32_t position = 0;
+  mission::act_outcome outcome = mission::act_outcome::confirmed;
+  std::optional<std::int32_t> picture = {}; // its number
+  GODWIT_FIELDS(resolved_act, "executor.progress_resolved_act", position, outcome, picture);
+};
+
+// A picture that came just before the vehicle reported that it is where one is to be taken.
+struct early_picture {
+  std::int32_t index = 0;
+  std::uint32_t count = 1; // with those before it that nobody heard
+  std::int64_t at_ns = 0;
+  GODWIT_FIELDS(early_picture, "executor.progress_early_picture", index, count, at_ns);
+};
+
 enum class generation_origin {
   new_plan,
   same_plan, // with the content of the one before: the vehicle may just go on in it
@@ -75,6 +91,9 @@ struct generation_state {
   std::vector<std::uint16_t> never_near;         // places that the track contradicts: their items were not reached
   std::uint32_t resolved = 0;                    // so many items from the front are done or skipped
   std::optional<std::uint32_t> started_position; // the last item that was reported as started
+  std::vector<resolved_act> acts = {};           // of items that are not resolved; one for each
+  mission::picture_count pictures = {};          // since the last item that moves the vehicle was resolved
+  std::optional<early_picture> early = {};       // not counted in `pictures` yet
   static constexpr auto fields = io::table(
       "executor.progress_generation_state", io::field("number", &generation_state::number),
       io::field("start_sequence", &generation_state::start_sequence), io::field("origin", &generation_state::origin),
@@ -88,7 +107,8 @@ struct generation_state {
       io::field("waiting_since_ns", &generation_state::waiting_since_ns),
       io::field("heard_ns", &generation_state::heard_ns), io::field("stale_reached", &generation_state::stale_reached),
       io::field("never_near", &generation_state::never_near), io::field("settled", &generation_state::resolved),
-      io::field("started_position", &generation_state::started_position));
+      io::field("started_position", &generation_state::started_position), io::field("acts", &generation_state::acts),
+      io::field("pictures", &generation_state::pictures), io::field("early", &generation_state::early));
 };
 
 struct followed_plan {
@@ -132,10 +152,12 @@ struct state {
   std::vector<io::mavlink::mission_current> held;
   std::uint64_t dropped_held = 0; // for which there was no room
   std::optional<pause_reason> paused;
+  std::optional<std::int32_t> last_picture = {}; // its number; absent: none was ever reported
+  bool is_unheard_told = false;                  // that no pictures are reported
 
   static constexpr int version = 1;
   GODWIT_FIELDS(state, "executor.progress_state", mission, past_missions, last_generation, plan, upload, start, held,
-                dropped_held, paused);
+                dropped_held, paused, last_picture, is_unheard_told);
 };
 
 } // namespace godwit::executor::progress

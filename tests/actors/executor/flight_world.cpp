@@ -69,6 +69,7 @@ flight_world::flight_world(const options& wanted)
   vehicle.endurance_s = wanted.endurance_s;
   vehicle.holds_when_landed = wanted.holds_when_landed;
   vehicle.rtl_autoland = wanted.rtl_autoland;
+  vehicle.has_payload = wanted.has_payload;
   vehicle_ = std::make_unique<sim::vehicle>(vehicle, time_.now_ns(), [this](std::span<const std::byte> frame) {
     if (!is_vehicle_silent_)
       hear(frame);
@@ -587,12 +588,22 @@ void flight_world::take(const vehicle_link::transmission& each) {
 void flight_world::hear(std::span<const std::byte> frame) {
   if (persons_line_ == 0)
     person_.receive(frame);
+  note_picture(frame);
   if (is_silenced(frame))
     return;
   carry(frame, [this, age = link_age_](const std::vector<std::byte>& bytes) {
     if (age == link_age_)
       take(link_->on_bytes(line, true, bytes, link_now()));
   });
+}
+
+void flight_world::note_picture(std::span<const std::byte> frame) {
+  constexpr std::size_t id_at = 7; // of MAVLink 2
+  constexpr auto feedback = io::mavlink::camera_feedback::message_id;
+  constexpr auto captured = io::mavlink::camera_image_captured::message_id;
+  const auto id = std::to_integer<std::uint32_t>(frame[id_at]) | std::to_integer<std::uint32_t>(frame[id_at + 1]) << 8U;
+  if (id == feedback || id == captured)
+    pictures_.push_back(vehicle_->describe().where);
 }
 
 void flight_world::take(const vehicle_link::resolved_command& each) {
@@ -639,6 +650,8 @@ void flight_world::take(const vehicle_link::announcement& each) {
     take(core_->on_vehicle(*foreign, now()));
   } else if (const auto* line = std::get_if<vehicle_link::line_findings>(&each))
     take(core_->on_vehicle(*line, now()));
+  else if (const auto* picture = std::get_if<vehicle_link::picture_taken>(&each))
+    take(core_->on_vehicle(*picture, now()));
 }
 
 // -- people -----------------------------------------------------------------------------------------

@@ -59,6 +59,7 @@ public:
     std::uint64_t seed = 1;
     bool holds_when_landed = false;       // of a PX4
     int rtl_autoland = 3;                 // of a plane
+    bool has_payload = false;             // a camera and a gripper that report
     bool is_person_on_other_line = false; // to the vehicle; else on that of the link, which hears what it answers them
   };
 
@@ -67,6 +68,9 @@ public:
 
   explicit flight_world(const options& wanted);
   ~flight_world() { end_core(); }
+
+  // Where the vehicle was as its pictures were taken.
+  [[nodiscard]] const std::vector<sim::position>& pictures() const { return pictures_; }
 
   void load(const mission::document& what);
   // What becomes of the map's pull, now and for missions that are loaded later.
@@ -276,6 +280,8 @@ private:
   void restore();
   void end_core();
   void hear(std::span<const std::byte> frame);
+  void note_picture(std::span<const std::byte> frame);
+  std::vector<sim::position> pictures_;
   [[nodiscard]] executor::host_status host_status() const;
 
   static constexpr std::int64_t wall_began_ns = 1'790'000'000'000'000'000; // September 2026

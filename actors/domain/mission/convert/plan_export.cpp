@@ -45,7 +45,8 @@ json pairs_of(const std::vector<vertex>& corners) {
 }
 
 json survey_pattern(const survey& each) {
-  const json camera{{"AdjustedFootprintFrontal", each.line_spacing_m},
+  const auto& shots = each.camera;
+  const json camera{{"AdjustedFootprintFrontal", shots ? shots->trigger.distance_m.value_or(0) : 0},
                     {"AdjustedFootprintSide", each.line_spacing_m},
                     {"CameraName", "Manual (no camera specs)"},
                     {"DistanceMode", above_home},
@@ -58,7 +59,7 @@ json survey_pattern(const survey& each) {
                        {"HoverAndCapture", false},
                        {"Items", json::array()},
                        {"Refly90Degrees", false},
-                       {"TurnAroundDistance", 0},
+                       {"TurnAroundDistance", shots ? shots->turnaround_m : 0},
                        {"VisualTransectPoints", json::array()},
                        {"version", 2}};
   return {{"TransectStyleComplexItem", transects},
@@ -105,12 +106,24 @@ json rally_points_of(const document& mission) {
   return points;
 }
 
-json items_of(const document& mission) {
+void add_camera_losses(const survey& area, std::size_t index, loss_list& losses) {
+  constexpr std::string_view left_out = "left out";
+  if (area.camera && area.camera->trigger.interval_s)
+    losses.add(
+        {index, "the survey: pictures by time", "the surveys of a plan take them by distance", std::string(left_out)});
+  if (area.camera && area.camera->gimbal_pitch_deg)
+    losses.add(
+        {index, "the survey: the pitch of the gimbal", "the surveys of a plan have none", std::string(left_out)});
+}
+
+json items_of(const document& mission, loss_list& losses) {
   auto items = json::array();
   const auto made = numbered_items_of(mission, 1, true);
   for (std::size_t i = 0; i < mission.items.size(); ++i) {
-    if (const auto* area = std::get_if<survey>(&mission.items[i]))
+    if (const auto* area = std::get_if<survey>(&mission.items[i])) {
       items.push_back(survey_pattern(*area));
+      add_camera_losses(*area, i, losses);
+    }
     for (const auto& simple : made[i])
       items.push_back(simple_item(simple));
   }
@@ -142,7 +155,7 @@ exported export_plan(const document& mission) {
                   {"firmwareType", is_for_px4(mission) ? px4 : ardupilot_firmware},
                   {"globalPlanAltitudeMode", above_home},
                   {"hoverSpeed", usual_mps},
-                  {"items", items_of(mission)},
+                  {"items", items_of(mission, result.losses)},
                   {"plannedHomePosition", json::array({home.latitude, home.longitude, home.above_sea_m.value_or(0)})},
                   {"vehicleType", has_commands ? any_vehicle : multirotor},
                   {"version", 2}};

@@ -51,9 +51,16 @@ bool triggers_camera(const plan_node& transects) {
 
 // What a survey of a mission does not know, although it flies over the same area.
 bool has_survey_details(plan_source& source, const plan_node& node, const plan_node& transects) {
-  return triggers_camera(transects) || source.number_or(transects, "TurnAroundDistance", 0) != 0 ||
-         source.flag_or(transects, "HoverAndCapture", false) || source.flag_or(transects, "Refly90Degrees", false) ||
-         source.flag_or(node, "flyAlternateTransects", false);
+  return triggers_camera(transects) || source.flag_or(transects, "HoverAndCapture", false) ||
+         source.flag_or(transects, "Refly90Degrees", false) || source.flag_or(node, "flyAlternateTransects", false);
+}
+
+// Of a survey whose lines the file does not have, so that those that it had say nothing about the camera.
+std::optional<survey_camera> camera_of(plan_source& source, const plan_node& transects, const plan_node& camera) {
+  const auto distance_m = source.number_or(camera, "AdjustedFootprintFrontal", 0);
+  if (!(distance_m > 0))
+    return std::nullopt;
+  return survey_camera{{distance_m, std::nullopt}, std::nullopt, source.number_or(transects, "TurnAroundDistance", 0)};
 }
 
 // Why this survey can not be one of a mission; empty when it can.
@@ -84,13 +91,15 @@ void import_survey(plan_source& source, const plan_node& node, item_importer& im
     area.heading_deg = 0;
   // The lines as the ground station has laid them keep all of it.
   const auto why = why_no_survey(source, transects, area, camera);
-  if (has_laid_items(transects) && (!why.empty() || has_survey_details(source, node, transects)))
+  const bool has_turns = source.number_or(transects, "TurnAroundDistance", 0) != 0;
+  if (has_laid_items(transects) && (!why.empty() || has_turns || has_survey_details(source, node, transects)))
     return take_laid_items(source, transects, importer);
   if (!why.empty())
     return lose(source, node, "survey: its area", why + ", and the file does not have its lines", left_out);
+  if (!has_laid_items(transects))
+    area.camera = camera_of(source, transects, camera);
   if (has_survey_details(source, node, transects))
-    lose(source, node,
-         "survey: turns outside of the area, pictures in hover, a second flight across or every other line",
+    lose(source, node, "survey: pictures in hover, a second flight across or every other line",
          "the file does not have its lines, and a survey of a mission has none of that", "flown over the area once");
   importer.append(std::move(area), {node.pointer, "item " + std::to_string(node.item.value_or(0)) + ", survey"},
                   node.item.value_or(0));

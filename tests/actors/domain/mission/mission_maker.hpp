@@ -30,9 +30,18 @@ public:
       result.items.push_back(any_command("item-" + std::to_string(items + 1)));
       result.items.push_back(jump{"item-" + std::to_string(items + 2), id_of(result.items.front()), whole(0, 5)});
       result.schema_version = schema_version_2;
+      for (auto& each : result.items)
+        if (auto* area = std::get_if<survey>(&each); area != nullptr && whole(0, 1) == 0)
+          area->camera = camera();
     }
     for (int i = whole(0, 3); i > 0; --i)
       result.geofences.push_back(fence());
+    return result;
+  }
+
+  survey_camera camera() {
+    survey_camera result{{}, maybe(-90, 90), number(0, 100)};
+    (whole(0, 2) == 0 ? result.trigger.interval_s : result.trigger.distance_m) = number(0.5, 50);
     return result;
   }
 

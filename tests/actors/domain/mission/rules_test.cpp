@@ -173,6 +173,17 @@ std::string faults_of(const document& mission) {
   return text;
 }
 
+TEST(rules, the_camera_of_a_survey_is_triggered_by_distance_or_by_time) {
+  survey area{"s", {{47, 8}, {47, 8.01}, {47.01, 8}}, 50, 20, {}, survey_camera{}};
+  const auto fault = " allowed: `distance_m` or `interval_s`\n";
+  EXPECT_EQ(faults_of(looping({area})), std::string("/items/0/camera/trigger has neither;") + fault);
+  area.camera->trigger = {10, 2};
+  EXPECT_EQ(faults_of(looping({area})),
+            std::string("/items/0/camera/trigger has `distance_m` and `interval_s`;") + fault);
+  area.camera->trigger = {10, {}};
+  EXPECT_EQ(faults_of(looping({area})), "");
+}
+
 TEST(rules, a_jump_leads_to_another_item_of_the_mission) {
   const waypoint there{"w", {47, 8, 20}, 0, 0, {}};
   EXPECT_EQ(faults_of(looping({there, jump{"j", "w", 2}})), "");

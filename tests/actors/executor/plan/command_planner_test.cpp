@@ -334,8 +334,15 @@ TEST(command_planner,
   auto flying = copter;
   flying.is_under_way = true;
   flying.start = at(500, 0, 30);
-  EXPECT_EQ(commands_of(mission, flying, {5, 0}), (commands{178, 206, 19}));
-  EXPECT_EQ(build_plans(mission, flying, {5, 0})->front().items[2].param1, 0) << "the trigger is off";
+  const auto whole = build_plans(line_with_pictures(), copter)->front();
+  flying.stops_camera = camera_to_stop(whole.items, whole.items.size() - 1);
+  EXPECT_FALSE(flying.stops_camera) << "at its end it is off";
+  for (std::size_t i = 0; i < whole.items.size() && !flying.stops_camera; ++i)
+    flying.stops_camera = camera_to_stop(whole.items, i);
+  ASSERT_TRUE(flying.stops_camera);
+  EXPECT_EQ(commands_of(mission, flying, {5, 0}), (commands{206, 178, 19}));
+  EXPECT_EQ(build_plans(mission, flying, {5, 0})->front().items[1].param1, 0) << "the trigger is off";
+  flying.stops_camera.reset(); // where it was sent it is off
   mission.items.insert(mission.items.end(), rest_of_line.begin(), rest_of_line.end());
   const auto rest = build_plans(mission, flying, {6, 0})->front();
   EXPECT_EQ(commands_of(rest), (commands{178, 205, 16, 206, 16, 206, 16, 183, 16, 20}));

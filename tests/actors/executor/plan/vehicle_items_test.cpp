@@ -1,6 +1,8 @@
 #include "actors/executor/plan/vehicle_items.hpp"
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -65,6 +67,29 @@ TEST(vehicle_items, commands_up_to_95_move_the_vehicle) {
   EXPECT_TRUE(is_nav(land_item(place, px4_copter)));
   EXPECT_FALSE(is_nav(speed_item(5, px4_copter)));
   EXPECT_FALSE(is_nav(landing_start_item()));
+}
+
+TEST(vehicle_items, what_ends_the_pictures_is_what_has_begun_them) {
+  const auto command = [](std::uint16_t which, float p1, float p2 = 0, float p3 = 0) {
+    mission_item_int made;
+    made.command = which;
+    made.param1 = p1;
+    made.param2 = p2;
+    made.param3 = p3;
+    return made;
+  };
+  const auto stop = [](std::vector<mission_item_int> items) {
+    const auto found = camera_to_stop(items, items.size());
+    return found ? std::pair(int{found->command}, found->param1) : std::pair(0, 0.0F);
+  };
+  EXPECT_EQ(stop({command(206, 25, 0, 1)}), std::pair(206, 0.0F));
+  EXPECT_EQ(stop({command(206, 25), command(206, 0)}), std::pair(0, 0.0F));
+  EXPECT_EQ(stop({command(214, 1000)}), std::pair(214, 0.0F));
+  EXPECT_EQ(stop({command(2003, 1)}), std::pair(2003, 0.0F));
+  EXPECT_EQ(stop({command(2000, 2, 5, 0)}), std::pair(2001, 2.0F)) << "of the same camera";
+  EXPECT_EQ(stop({command(2000, 0, 5, 0), command(2001, 0)}), std::pair(0, 0.0F));
+  EXPECT_EQ(stop({command(2000, 0, 0, 1)}), std::pair(0, 0.0F)) << "a single picture";
+  EXPECT_FALSE(camera_to_stop(std::vector{command(16, 0), command(206, 25)}, 1)) << "not there yet";
 }
 
 TEST(vehicle_items, latitude_and_longitude_0_are_nowhere) {

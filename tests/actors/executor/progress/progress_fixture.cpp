@@ -101,7 +101,14 @@ std::string text_of(const mission::progress_report& report) {
   std::string text(io::name_of(report.kind));
   if (report.item_id)
     text += ' ' + *report.item_id + '#' + std::to_string(*report.item_index);
-  return text + " g" + std::to_string(report.generation) + (report.inferred ? " inferred" : "");
+  text += " g" + std::to_string(report.generation) + (report.inferred ? " inferred" : "");
+  if (report.outcome)
+    text.append(" ").append(io::name_of(*report.outcome));
+  if (const auto& pictures = report.pictures)
+    text += " pictures " + std::to_string(pictures->taken) +
+            (pictures->planned ? " of " + std::to_string(*pictures->planned) : "") + ": " +
+            std::to_string(pictures->first.value_or(-1)) + " to " + std::to_string(pictures->last.value_or(-1));
+  return text;
 }
 
 } // namespace godwit::executor::progress::test

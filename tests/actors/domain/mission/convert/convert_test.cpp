@@ -78,6 +78,27 @@ TEST(convert, surveys_alone_are_not_written_as_lines_whatever_is_allowed) {
 }
 
 // By way of our own form as well: nothing turns it into a flight to the planned home.
+TEST(convert, the_camera_of_a_survey_keeps_what_a_plan_can_say) {
+  document mission;
+  mission.mission_id = "7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42";
+  mission.schema_version = schema_version_2;
+  survey area{"s", {{47, 8}, {47, 8.01}, {47.01, 8}}, 50, 20, 90.0, survey_camera{{12.5, {}}, -90.0, 30}};
+  mission.items = {area};
+  auto plan = export_mission(mission, mission_format::plan);
+  ASSERT_EQ(plan.losses.all.size(), 1U) << plan.losses.message();
+  EXPECT_EQ(plan.losses.all[0].what, "the survey: the pitch of the gimbal");
+  const auto again = import_mission(plan.text, mission_format::plan);
+  ASSERT_TRUE(again) << again.error().message();
+  area.camera->gimbal_pitch_deg.reset();
+  EXPECT_EQ(std::get<survey>(again->mission.items.at(0)).camera, area.camera);
+
+  area.camera->trigger = {std::nullopt, 2.0};
+  mission.items = {area};
+  plan = export_mission(mission, mission_format::plan);
+  ASSERT_EQ(plan.losses.all.size(), 1U) << plan.losses.message();
+  EXPECT_EQ(plan.losses.all[0].what, "the survey: pictures by time");
+}
+
 TEST(convert, return_to_launch_of_a_plan_stays_one_on_its_way_through_our_format) {
   const auto ours = convert(sample_file("home_elsewhere.plan"), mission_format::plan, mission_format::json);
   ASSERT_TRUE(ours.has_value()) << ours.error().message();
@@ -112,7 +133,7 @@ TEST(convert, the_list_of_losses_is_bounded_and_says_that_there_are_more) {
 }
 
 // What a plan can say: returns to the home of the vehicle, a planned home with a height, no heights of fences, a speed
-// as an item of its own, a survey with a heading, no change of ids.
+// as an item of its own, a survey with a heading and pictures by distance, no change of ids.
 document plan_like(document mission) {
   mission.return_point.reset();
   if (mission.planned_home)
@@ -127,8 +148,13 @@ document plan_like(document mission) {
       back->to = return_goal::home;
     if (auto* point = std::get_if<waypoint>(&each))
       point->speed_mps.reset();
-    if (auto* area = std::get_if<survey>(&each))
+    if (auto* area = std::get_if<survey>(&each)) {
       area->heading_deg = area->heading_deg.value_or(0);
+      if (area->camera) {
+        area->camera->trigger = {area->camera->trigger.distance_m.value_or(1), std::nullopt};
+        area->camera->gimbal_pitch_deg.reset();
+      }
+    }
   }
   return mission;
 }

@@ -1,0 +1,211 @@
+// What became of an act, and the pictures of a line.
+#include "actors/executor/progress/acts.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/actors/executor/progress/progress_fixture.hpp"
+
+namespace godwit::executor::progress {
+namespace acts_test {
+
+using namespace test;
+using mission::act_outcome;
+
+struct acts : testing::Test {
+  progress_fixture d{ardupilot};
+
+  // The item at POSITION acts, and moves nothing.
+  static void make_act(plan_map& map, std::size_t position, act_kind what) {
+    auto& item = map.items[position];
+    item.role = item_role::acts;
+    item.act = what;
+    item.first_nav_sequence = item.last_nav_sequence = std::nullopt;
+  }
+
+  void fly(const plan_map& map) {
+    d.upload(map);
+    d.current(0);
+    d.wait_s(3);
+    d.current(0);
+    d.said();
+    d.news_told();
+  }
+
+  void fly_to_release() {
+    auto map = map_of(d.vehicle, {"A", "drop", "C"});
+    make_act(map, 1, act_kind::release);
+    fly(map);
+    d.reached(0);
+    EXPECT_EQ(d.said(), texts{"reached A#0 g1"});
+    d.current(2);
+  }
+};
+
+TEST_F(acts, a_release_that_the_gripper_reports_is_confirmed) {
+  fly_to_release();
+  EXPECT_EQ(d.said(), texts{}) << "the gripper may still report it";
+  d.wait_ms(500);
+  d.take(*act_in("Gripper load released"));
+  EXPECT_EQ(d.said(), (texts{"passed drop#1 g1 confirmed", "started C#2 g1"}));
+}
+
+TEST_F(acts, a_release_that_nobody_reports_is_passed_and_no_more) {
+  fly_to_release();
+  d.wait_s(1);
+  d.current(2);
+  EXPECT_EQ(d.said(), texts{});
+  d.wait_s(1);
+  d.current(2);
+  EXPECT_EQ(d.said(), (texts{"passed drop#1 g1 inferred", "started C#2 g1"}));
+}
+
+TEST_F(acts, the_answer_of_the_command_confirms_no_release) {
+  EXPECT_FALSE(act_in("Gripper Released"));
+  EXPECT_FALSE(act_in("Gripper load releasing"));
+}
+
+TEST_F(acts, a_release_survives_a_crash_before_it_is_reported) {
+  fly_to_release();
+  d.crash();
+  d.take(*act_in("Gripper load released"));
+  EXPECT_EQ(d.said(), (texts{"passed drop#1 g1 confirmed", "started C#2 g1"}));
+}
+
+// Somebody else may have opened the gripper on the way.
+TEST_F(acts, a_release_before_the_vehicle_is_there_confirms_nothing) {
+  auto map = map_of(d.vehicle, {"A", "drop", "C"});
+  make_act(map, 1, act_kind::release);
+  fly(map);
+  d.take(*act_in("Gripper load released"));
+  d.reached(0);
+  d.current(2);
+  d.wait_s(2);
+  d.current(2);
+  EXPECT_EQ(d.said(), (texts{"reached A#0 g1", "passed drop#1 g1 inferred", "started C#2 g1"}));
+}
+
+TEST_F(acts, a_text_counts_for_one_act_alone) {
+  auto map = map_of(d.vehicle, {"A", "drop", "grab", "again", "C"});
+  make_act(map, 1, act_kind::release);
+  make_act(map, 2, act_kind::grab);
+  make_act(map, 3, act_kind::release);
+  fly(map);
+  d.reached(0);
+  d.current(4);
+  d.take(*act_in("Gripper load released"));
+  d.take(*act_in("Gripper load grabbed"));
+  EXPECT_EQ(d.said(), texts{"reached A#0 g1"});
+  d.wait_s(2);
+  d.current(4);
+  EXPECT_EQ(d.said(), (texts{"passed drop#1 g1 confirmed", "passed grab#2 g1 confirmed", "passed again#3 g1 inferred",
+                             "started C#4 g1"}));
+}
+
+// ArduCopter reports the item as reached, and flies on with the load.
+TEST_F(acts, a_load_that_is_still_on_board_is_no_delivery) {
+  auto map = map_of(d.vehicle, {"A", "place", "C"});
+  map.items[1].act = act_kind::placement;
+  fly(map);
+  d.reached(0);
+  d.current(1);
+  d.take(*act_in("PayloadPlace: Reached maximum descent"));
+  EXPECT_EQ(d.news_told(), texts{"act_failed g1"});
+  EXPECT_NE(d.told.back().reason.find("'place'"), std::string::npos);
+  d.reached(1);
+  d.current(2);
+  EXPECT_EQ(d.said(), (texts{"reached A#0 g1", "started place#1 g1", "reached place#1 g1 failed", "started C#2 g1"}));
+}
+
+TEST_F(acts, a_load_that_the_gripper_has_released_on_the_ground_is_placed) {
+  auto map = map_of(d.vehicle, {"A", "place", "C"});
+  map.items[1].act = act_kind::placement;
+  fly(map);
+  d.reached(0);
+  d.current(1);
+  d.take(*act_in("Gripper load released"));
+  d.reached(1);
+  EXPECT_EQ(d.said(), (texts{"reached A#0 g1", "started place#1 g1", "reached place#1 g1 confirmed"}));
+}
+
+// As an ArduCopter: the picture comes just before REACHED.
+TEST_F(acts, a_picture_just_before_reached_is_that_of_the_place) {
+  auto map = map_of(d.vehicle, {"A", "photo", "C"});
+  make_act(map, 1, act_kind::picture);
+  fly(map);
+  d.take(picture_told{7});
+  d.reached(0);
+  d.current(2);
+  EXPECT_EQ(d.said(), (texts{"reached A#0 g1", "passed photo#1 g1 confirmed pictures 1: 7 to 7", "started C#2 g1"}));
+}
+
+TEST_F(acts, a_picture_that_was_not_taken_has_failed) {
+  auto map = map_of(d.vehicle, {"A", "photo", "C"});
+  make_act(map, 1, act_kind::picture);
+  fly(map);
+  d.reached(0);
+  d.current(2);
+  d.take(picture_told{7, false});
+  EXPECT_EQ(d.news_told(), texts{"act_failed g1"});
+  EXPECT_EQ(d.said(), (texts{"reached A#0 g1", "passed photo#1 g1 failed pictures 0: 7 to 7", "started C#2 g1"}));
+}
+
+struct lines : acts {
+  void fly_to_line(std::uint32_t planned = 6) {
+    auto map = map_of(d.vehicle, {"A", "B", "C"});
+    map.items[1].pictures = planned;
+    fly(map);
+    d.take(picture_told{1}); // as the trigger is switched on
+    d.reached(0);
+    d.current(1);
+    d.said();
+  }
+};
+
+TEST_F(lines, the_pictures_of_a_line_are_counted) {
+  fly_to_line();
+  for (int i = 2; i <= 7; ++i)
+    d.take(picture_told{i});
+  d.reached(1);
+  EXPECT_EQ(d.said(), texts{"reached B#1 g1 pictures 6 of 6: 2 to 7"});
+  EXPECT_EQ(d.news_told(), texts{});
+}
+
+TEST_F(lines, a_picture_that_is_reported_twice_counts_once) {
+  fly_to_line(1);
+  d.take(picture_told{2});
+  d.take(picture_told{2});
+  d.reached(1);
+  EXPECT_EQ(d.said(), texts{"reached B#1 g1 pictures 1 of 1: 2 to 2"});
+}
+
+TEST_F(lines, pictures_of_a_silence_count_by_their_numbers) {
+  fly_to_line();
+  d.take(picture_told{2});
+  d.crash();
+  d.take(picture_told{7});
+  d.reached(1);
+  EXPECT_EQ(d.said(), texts{"reached B#1 g1 pictures 6 of 6: 2 to 7"});
+}
+
+TEST_F(lines, a_line_with_missing_pictures_is_reported) {
+  fly_to_line();
+  for (int i = 2; i <= 5; ++i)
+    d.take(picture_told{i});
+  d.reached(1);
+  EXPECT_EQ(d.said(), texts{"reached B#1 g1 pictures 4 of 6: 2 to 5"});
+  EXPECT_EQ(d.news_told(), texts{"pictures_missing g1"});
+}
+
+TEST_F(lines, that_no_pictures_are_reported_at_all_is_told_once) {
+  auto map = map_of(d.vehicle, {"A", "B", "C"});
+  map.items[0].pictures = map.items[1].pictures = 5;
+  fly(map);
+  d.reached(0);
+  d.current(1);
+  d.reached(1);
+  EXPECT_EQ(d.said(), (texts{"reached A#0 g1", "started B#1 g1", "reached B#1 g1"}));
+  EXPECT_EQ(d.news_told(), texts{"pictures_missing g1"});
+}
+
+} // namespace acts_test
+} // namespace godwit::executor::progress

@@ -84,6 +84,8 @@ effects core::on_deleted(const mission_client::mission_deleted& m, instant) {
     out.emplace_back(note{deletion_told{m.mission_id}});
     what_follows = "it is not flown any more";
   }
+  if (is_current && !flight_.is_in_flight() && flight_.flies_deleted_mission())
+    what_follows = "it was begun, and is flown to its end";
   if (is_current && flight_.is_in_flight()) {
     const bool comes_home = flight_.configured.deleted_mission == deletion_policy::come_home && !flight_.has_person() &&
                             !flight_.is_coming_down();

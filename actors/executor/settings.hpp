@@ -35,7 +35,8 @@ constexpr auto enum_names(failsafe_gone_policy) {
       {{failsafe_gone_policy::come_home, "return"}, {failsafe_gone_policy::go_on, "continue"}});
 }
 
-// What follows in flight when the service has deleted the mission. In both cases people are told then, and when the
+// What follows when the service has deleted a mission that was begun: it is flown to its end, also behind a landing on
+// the way, or the vehicle comes home in flight and stays on the ground. In both cases people are told then, and when the
 // vehicle is down.
 enum class deletion_policy { go_on, come_home };
 

@@ -121,6 +121,11 @@ bool flight_context::is_in_return_of_plan() const {
   return last != nullptr && plan::is_return_item(*last) && is_at_end_of_plan();
 }
 
+bool flight_context::flies_deleted_mission() const {
+  return configured.deleted_mission == deletion_policy::go_on && s.mission &&
+         progress::is_begun(s.progress, s.mission->mission_id);
+}
+
 bool flight_context::is_coming_down() const {
   return s.status.now == phase::landing || (ends_on_ground() && is_at_end_of_plan());
 }

@@ -107,6 +107,8 @@ struct flight_context {
   [[nodiscard]] bool has_open_intent() const { return s.progress.upload || s.progress.start; }
   [[nodiscard]] bool is_plan_finished() const;
   [[nodiscard]] bool is_mission_finished() const;
+  // By policy: it was begun, and is not over.
+  [[nodiscard]] bool flies_deleted_mission() const;
   [[nodiscard]] bool is_on_way_home() const; // by a plan
   [[nodiscard]] bool was_called_home() const { return s.progress.paused == progress::pause_reason::aborted; }
   [[nodiscard]] bool may_change_plan() const; // of a flight

@@ -117,4 +117,6 @@ bool service_view::is_deleted() const {
   return s.mission && s.deleted_mission == s.mission->mission_id;
 }
 
+bool service_view::is_withdrawn() const { return is_deleted() && !flight_.flies_deleted_mission(); }
+
 } // namespace godwit::executor

@@ -70,7 +70,7 @@ using plan_result = tl::expected<std::vector<plan::flight_plan>, plan::plan_erro
 struct mission_facts {
   const mission::document* document = nullptr;              // its rules were looked at when it was read
   std::string refusal;                                      // why there is none; empty: none was asked for
-  bool is_deleted = false;                                  // by the service, since it was fetched
+  bool is_deleted = false;                                  // by the service, and so not flown any more
   const plan_result* plans = nullptr;                       // of this document; null: not planned yet
   std::optional<std::vector<plan::violation>> way;          // of all plans; absent: not looked at yet
   std::optional<double> spare_percent;                      // of the battery, behind the first plan and the way home

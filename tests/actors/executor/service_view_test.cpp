@@ -186,6 +186,59 @@ TEST_P(service_again, deleted_in_flight_it_comes_home_by_policy_unless_a_person_
   }
 }
 
+class service_behind_a_landing : public service_again {
+protected:
+  // Until it stands at the landing on the way.
+  static bool lands_on_the_way(flight_world& world) {
+    world.load(tests::with_landing_on_the_way());
+    return world.run_until(
+        [&] {
+          return std::ranges::any_of(world.reports(), [](const auto& each) {
+            return each.kind == mission::progress_kind::reached && each.item_id == "drop";
+          });
+        },
+        600);
+  }
+};
+
+TEST_P(service_behind_a_landing, deleted_at_a_landing_on_the_way_it_is_flown_to_its_end_also_after_a_crash) {
+  flight_world world({.who = GetParam()});
+  ASSERT_TRUE(lands_on_the_way(world)) << world.story();
+  world.delete_mission(tests::with_landing_on_the_way().mission_id);
+  EXPECT_TRUE(has_said(world, "it was begun, and is flown to its end")) << world.story();
+  ASSERT_TRUE(world.run_until_phase(phase::ready, 60)) << world.story();
+  world.crash();
+  world.run_for(10);
+  ASSERT_TRUE(world.say(command_kind::resume).is_taken) << world.story();
+  ASSERT_TRUE(world.run_until_phase(phase::ready, 60)) << world.story();
+  EXPECT_FALSE(world.vehicle().describe().armed) << "a person starts it\n" << world.story();
+  ASSERT_TRUE(world.say(command_kind::start).is_taken) << world.story();
+  EXPECT_TRUE(world.run_until_phase(phase::done)) << world.story();
+}
+
+TEST_P(service_behind_a_landing, deleted_in_flight_the_landing_on_the_way_is_not_its_end) {
+  flight_world world({.who = GetParam(), .takeoff_again = start_policy::automatic});
+  world.load(tests::with_landing_on_the_way());
+  ASSERT_TRUE(world.run_until_phase(phase::flying)) << world.story();
+  world.delete_mission(tests::with_landing_on_the_way().mission_id);
+  EXPECT_TRUE(world.run_until_phase(phase::done)) << world.story();
+}
+
+TEST_P(service_behind_a_landing, deleted_at_a_landing_on_the_way_it_is_not_flown_on_where_it_is_set_to_return) {
+  flight_world world({.who = GetParam(),
+                      .takeoff_again = start_policy::automatic,
+                      .deleted_mission = deletion_policy::come_home});
+  ASSERT_TRUE(lands_on_the_way(world)) << world.story();
+  world.delete_mission(tests::with_landing_on_the_way().mission_id);
+  EXPECT_TRUE(has_said(world, "it is not flown any more")) << world.story();
+  world.run_for(60);
+  EXPECT_FALSE(world.vehicle().describe().armed) << world.story();
+  EXPECT_FALSE(world.durable().status.in_flight) << world.story();
+}
+
+INSTANTIATE_TEST_SUITE_P(each, service_behind_a_landing,
+                         testing::Values(sim::personality::px4, sim::personality::ardupilot));
+
 // -- what is owed -----------------------------------------------------------------------------------------
 
 TEST_P(service_again,

@@ -70,6 +70,7 @@ actor::~actor() = default;
 
 actor::behavior_type actor::handlers() {
   return {hears<begin_mission>(),
+          hears<begin_next>(),
           hears<pull_map>(),
           hears<accept_copy>(),
           hears<push_map>(),

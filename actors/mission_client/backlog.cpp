@@ -19,15 +19,15 @@ destination destination_of(store::destination to) {
 } // namespace
 
 void backlog::plan(planning_context& d) {
-  const auto waits_for = d.s.now == phase::delivering_earlier ? d.s.mission_id : std::string();
-  if (waits_for != std::exchange(mission_id_, waits_for) && !waits_for.empty()) {
+  const auto waits_for = d.s.now == phase::delivering_earlier ? std::optional(d.s.mission_id) : std::nullopt;
+  if (waits_for != std::exchange(waits_for_, waits_for) && waits_for) {
     attempt_.forget(d);
     stage_ = stage::batches;
     lanes_.count_anew();
   }
   if (stage_ != stage::looked && attempt_.may_start(d))
     attempt_.waiting = stage_ == stage::batches ? d.ask(*this, store::get_batches{}) : d.ask(*this, store::get_owed{});
-  if (stage_ == stage::looked && !mission_id_.empty() && is_over(d))
+  if (stage_ == stage::looked && waits_for_ && is_over(d))
     d.happened(earlier_delivered{});
 }
 

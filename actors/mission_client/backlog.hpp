@@ -5,6 +5,7 @@
 // the service already. Thread: one at a time.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "actors/mission_client/planning_context.hpp"
@@ -35,7 +36,7 @@ private:
   deliveries& lanes_;
   attempt attempt_;
   stage stage_ = stage::looked;
-  std::string mission_id_; // whose begin is waited for; empty: nobody's
+  std::optional<std::string> waits_for_; // whose begin; empty: of the next one
 };
 
 // Tells the map store what became of missions, until it has confirmed it.

@@ -19,6 +19,14 @@ service_call get(const settings& by, std::string target, std::size_t max_answer_
           .total_timeout = by.total_timeout};
 }
 
+// The service may hold it back.
+service_call poll(const settings& by, const std::string& target, std::size_t max_answer_bytes) {
+  auto result = get(by, target + "wait_s=" + std::to_string(by.poll_wait.count()), max_answer_bytes);
+  result.read_timeout += by.poll_wait;
+  result.total_timeout += by.poll_wait;
+  return result;
+}
+
 service_call post(const settings& by, std::string target, std::string key, std::string body,
                   std::size_t max_answer_bytes = mission::max_answer_bytes) {
   auto result = get(by, std::move(target), max_answer_bytes);
@@ -38,14 +46,13 @@ service_call get_progress(const settings& by, const std::string& mission_id) {
   return get(by, path_of(mission_id) + "/progress", mission::max_answer_bytes);
 }
 
+service_call get_next(const settings& by, const std::string& vehicle_id) {
+  return poll(by, "/vehicles/" + percent_encoded(vehicle_id) + "/missions/next?", mission::max_answer_bytes);
+}
+
 service_call get_assignments(const settings& by, const std::string& mission_id, std::int32_t after) {
-  auto result = get(by,
-                    path_of(mission_id) + "/assignments?after=" + std::to_string(after) +
-                        "&wait_s=" + std::to_string(by.poll_wait.count()),
-                    mission::max_mission_bytes);
-  result.read_timeout += by.poll_wait;
-  result.total_timeout += by.poll_wait;
-  return result;
+  return poll(by, path_of(mission_id) + "/assignments?after=" + std::to_string(after) + "&",
+              mission::max_mission_bytes);
 }
 
 service_call get_page(const settings& by, const std::string& mission_id, destination what, const std::string& next) {

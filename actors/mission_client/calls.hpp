@@ -18,6 +18,8 @@ inline constexpr std::size_t reports_per_call = 100;
 [[nodiscard]] service_call get_mission(const settings& by, const std::string& mission_id);
 // The number of the last report that the service has.
 [[nodiscard]] service_call get_progress(const settings& by, const std::string& mission_id);
+// Which mission the vehicle is to fly next: a long poll.
+[[nodiscard]] service_call get_next(const settings& by, const std::string& vehicle_id);
 // The long poll.
 [[nodiscard]] service_call get_assignments(const settings& by, const std::string& mission_id, std::int32_t after);
 // NEXT is what the last page said; empty: the first.

@@ -8,25 +8,52 @@ namespace godwit::mission_client {
 
 namespace {
 
-void take(decision_context& t, const begin_mission& m) {
+// Behind what earlier missions left. Empty: with the next one of the service.
+void begin_with(decision_context& t, const std::string& mission_id) {
   auto& s = t.s;
-  if (s.mission_id == m.mission_id && s.now != phase::idle && s.now != phase::refused)
-    return;
   s.now = phase::delivering_earlier;
-  s.mission_id = m.mission_id;
+  s.mission_id = mission_id;
   s.revision = 0;
   s.pull = pull_state::not_started;
   s.looks_up = false;
   s.assignments.clear();
-  note_of(s, m.mission_id).is_deleted = false; // whether it still is, the service will say
   for (auto& each : s.rows)
-    if (each.state == row_state::pending && each.mission_id != m.mission_id)
+    if (each.state == row_state::pending && each.mission_id != mission_id)
       each.next_try_ns = t.now_ns; // somebody waits for it now
+}
+
+void take(decision_context& t, const begin_mission& m) {
+  auto& s = t.s;
+  if (s.mission_id == m.mission_id && s.now != phase::idle && s.now != phase::refused)
+    return;
+  begin_with(t, m.mission_id);
+  note_of(s, m.mission_id).is_deleted = false; // whether it still is, the service will say
+}
+
+void take(decision_context& t, const begin_next& m) {
+  auto& s = t.s;
+  s.vehicle_id = m.vehicle_id;
+  s.over = m.over;
+  if (s.over.size() > max_mission_notes)
+    s.over.erase(s.over.begin(), s.over.end() - static_cast<std::ptrdiff_t>(max_mission_notes));
+  const bool is_under_way = s.now != phase::idle && s.now != phase::refused;
+  if (is_under_way && !is_mission_over(s, s.mission_id)) // it is the next, or that is asked for
+    return;
+  begin_with(t, {});
+}
+
+void take(decision_context& t, const next_given& m) {
+  auto& s = t.s;
+  if (s.now != phase::asking_next || is_mission_over(s, m.mission_id))
+    return;
+  s.now = phase::fetching;
+  s.mission_id = m.mission_id;
+  note_of(s, m.mission_id).is_deleted = false;
 }
 
 void take(decision_context& t, const earlier_delivered&) {
   if (t.s.now == phase::delivering_earlier)
-    t.s.now = phase::fetching;
+    t.s.now = t.s.mission_id.empty() ? phase::asking_next : phase::fetching;
 }
 
 void take(decision_context& t, const mission_fetched& m) {

@@ -23,6 +23,12 @@ struct earlier_delivered {
   static constexpr auto fields = io::table("mission_client.earlier_delivered");
 };
 
+// The service has named the vehicle's next mission.
+struct next_given {
+  std::string mission_id;
+  GODWIT_FIELDS(next_given, "mission_client.next_given", mission_id);
+};
+
 // A new incarnation goes on with its mission; the journal may be an older one than the reports that the service has.
 struct begun_anew {
   static constexpr auto fields = io::table("mission_client.begun_anew");
@@ -148,7 +154,7 @@ struct clock_jumped {
   GODWIT_FIELDS(clock_jumped, "mission_client.clock_jumped", by_ns);
 };
 
-using event = std::variant<begin_mission, pull_map, accept_copy, push_map, report_progress, respond_to_assignment,
+using event = std::variant<begin_mission, begin_next, next_given, pull_map, accept_copy, push_map, report_progress, respond_to_assignment,
                            insert_waypoint, replace_tail, retry_outbox, begun_anew, progress_told, earlier_delivered,
                            owed_found, mission_fetched, fetch_failed, pull_ended, mission_looked_up, assignments_seen,
                            rows_delivered, rows_failed, rows_refused, mission_gone, batch_planned, batch_empty,

@@ -17,7 +17,7 @@ std::uint64_t lost_reports(const state& s) {
 
 requests planner::plan(const state& s, instant now) {
   planning_context d(s, now, settings_, book_, random_);
-  for (part* each : std::initializer_list<part*>{&deliveries_, &store_operations_, &backlog_, &fetching_,
+  for (part* each : std::initializer_list<part*>{&deliveries_, &store_operations_, &backlog_, &asking_next_, &fetching_,
                                                  &asking_progress_, &looking_up_, &pulling_, &polling_})
     each->plan(d);
   wake_ns_ = d.wake_ns;
@@ -61,6 +61,7 @@ void planner::on_disk(const mission_client::on_disk& news) {
   polling_.free();
   looking_up_.free();
   asking_progress_.free();
+  asking_next_.free();
 }
 
 std::string planner::last_error(std::string_view kinds) const {
@@ -89,14 +90,16 @@ service_status planner::status(const state& s) const {
           .may_deliver = !deliveries_.is_blocked(s.mission_id),
           .refused = s.refused ? s.refused->reason : std::string(),
           .refused_sample = s.refused ? s.refused->sample : std::string(),
-          .lost_reports = lost_reports(s)};
+          .lost_reports = lost_reports(s),
+          .waits_for_next = s.now == phase::asking_next};
 }
 
 runtime::condition planner::health(const state& s) const {
   const auto why = last_error();
   if (s.now == phase::refused)
     return {runtime::health_colour::red, "the mission is refused" + (why.empty() ? "" : ": " + why)};
-  if (deliveries_.blocked() != 0 || polling_.is_blocked() || looking_up_.is_blocked() || asking_progress_.is_blocked())
+  if (deliveries_.blocked() != 0 || polling_.is_blocked() || looking_up_.is_blocked() || asking_progress_.is_blocked() ||
+      asking_next_.is_blocked())
     return {runtime::health_colour::red, "the missions service does not allow it: " + why};
   if (s.refused_rows != 0 && is_full(s.rows))
     return {runtime::health_colour::red,
@@ -113,6 +116,8 @@ runtime::condition planner::health(const state& s) const {
     reason.append(reason.empty() ? "" : "; ").append(std::to_string(lost)).append(" reports of progress are lost");
   if (s.pull == pull_state::failed || s.pull == pull_state::cached_fallback)
     reason.append(reason.empty() ? "" : "; ").append("the map is not the service's");
+  if (s.now == phase::asking_next && reason.empty())
+    return {runtime::health_colour::green, "waits for the next mission of vehicle " + s.vehicle_id};
   if (is_deleted(s, s.mission_id))
     reason.append(reason.empty() ? "" : "; ").append("the service has deleted the mission");
   for (const auto& note : s.missions)

@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 
+#include "actors/mission_client/asking_next.hpp"
 #include "actors/mission_client/backlog.hpp"
 #include "actors/mission_client/deliveries.hpp"
 #include "actors/mission_client/fetching.hpp"
@@ -48,6 +49,7 @@ private:
   deliveries deliveries_;
   backlog backlog_{deliveries_};
   store_operations store_operations_{backlog_};
+  asking_next asking_next_;
   fetching fetching_;
   asking_progress asking_progress_;
   looking_up looking_up_;

@@ -6,11 +6,13 @@
 //                               │ begin_mission                v mission_gone       └──── pull_map ───────┘
 //                               └───────────────────────── [refused]                   (after a pull that failed)
 //
-// begin_mission for another mission leads to delivering_earlier from everywhere. What is owed is delivered in every
+// begin_mission for another mission leads to delivering_earlier from everywhere, and so does begin_next; behind it stands
+// asking_next then, until next_given leads to fetching. What is owed is delivered in every
 // phase. Whoever begins anew with a mission does not know how old his journal is, and asks the service for its last
 // report (fetching.hpp); until then no report of that mission goes out. Thread: plain values.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -23,9 +25,9 @@
 
 namespace godwit::mission_client {
 
-enum class phase { idle, delivering_earlier, fetching, pulling, ready, refused };
+enum class phase { idle, delivering_earlier, fetching, pulling, ready, refused, asking_next };
 
-GODWIT_ENUM_NAMES(phase, idle, delivering_earlier, fetching, pulling, ready, refused);
+GODWIT_ENUM_NAMES(phase, idle, delivering_earlier, fetching, pulling, ready, refused, asking_next);
 
 // Missions of which something is known; the oldest with nothing owed is forgotten.
 inline constexpr std::size_t max_mission_notes = 64;
@@ -94,7 +96,7 @@ struct store_operation {
 
 struct state {
   phase now = phase::idle;
-  std::string mission_id;
+  std::string mission_id;         // empty: the next one of the service, which has not named it yet
   std::int32_t revision = 0;      // 0: nothing is loaded
   std::string schema_version;     // of the last mission that the service sent
   std::int64_t last_fetch_ns = 0; // 0: never
@@ -110,6 +112,8 @@ struct state {
   std::uint64_t next_order = 1;
   std::uint64_t resolved_rows = 0;
   std::uint64_t refused_rows = 0; // for which there was no room
+  std::string vehicle_id;         // whose next mission is asked for
+  std::vector<std::string> over;  // missions that are not begun again
   static constexpr int version = 1;
   static constexpr auto fields = io::table(
       "mission_client.state", io::field("now", &state::now), io::field("mission_id", &state::mission_id),
@@ -119,13 +123,17 @@ struct state {
       io::field("looks_up", &state::looks_up), io::field("missions", &state::missions), io::field("rows", &state::rows),
       io::field("assignments", &state::assignments), io::field("errands", &state::store_operations),
       io::field("settled_keys", &state::resolved_keys), io::field("next_order", &state::next_order),
-      io::field("settled_rows", &state::resolved_rows), io::field("refused_rows", &state::refused_rows));
+      io::field("settled_rows", &state::resolved_rows), io::field("refused_rows", &state::refused_rows),
+      io::field("vehicle_id", &state::vehicle_id), io::field("over", &state::over));
 };
 
 [[nodiscard]] const mission_note* find_note(const state& s, std::string_view mission_id);
 [[nodiscard]] inline bool is_deleted(const state& s, std::string_view mission_id) {
   const auto* note = find_note(s, mission_id);
   return note != nullptr && note->is_deleted;
+}
+[[nodiscard]] inline bool is_mission_over(const state& s, std::string_view mission_id) {
+  return std::ranges::find(s.over, mission_id) != s.over.end();
 }
 // A mission is loaded, and the service may have reports of it that this journal has not.
 [[nodiscard]] inline bool goes_on_with_mission(const state& s) {

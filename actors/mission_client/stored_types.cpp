@@ -18,6 +18,7 @@ GODWIT_DEFINE_MESSAGE(godwit::mission_client::fetch_failed);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::mission_fetched);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::mission_gone);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::mission_looked_up);
+GODWIT_DEFINE_MESSAGE(godwit::mission_client::next_given);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::on_disk);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::owed_found);
 GODWIT_DEFINE_MESSAGE(godwit::mission_client::progress_told);

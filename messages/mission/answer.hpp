@@ -29,6 +29,15 @@ struct progress_status {
   friend bool operator==(const progress_status&, const progress_status&) = default;
 };
 
+// Which mission a vehicle is to fly next.
+struct next_mission {
+  std::string vehicle_id; // that was asked for
+  std::string mission_id;
+
+  GODWIT_FIELDS(next_mission, "mission.next_mission", vehicle_id, mission_id);
+  friend bool operator==(const next_mission&, const next_mission&) = default;
+};
+
 struct wrong_place {
   std::string pointer; // JSON pointer (RFC 6901) into the body that was sent
   std::string detail;

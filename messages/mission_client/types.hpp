@@ -27,6 +27,15 @@ struct begin_mission {
   GODWIT_FIELDS(begin_mission, "mission_client.begin_mission", mission_id);
 };
 
+// Deliver what earlier missions left, then ask the service for the vehicle's next mission until there is one, and go on
+// with that as with begin_mission. Said again while it is asked for, or while a mission is loaded that is not OVER, it
+// changes nothing; after a refusal it asks anew.
+struct begin_next {
+  std::string vehicle_id;        // as the service calls it
+  std::vector<std::string> over; // missions that are not begun again: flown to their end, called off, or withdrawn
+  GODWIT_FIELDS(begin_next, "mission_client.begin_next", vehicle_id, over);
+};
+
 // Pull the map again, after a pull that failed.
 struct pull_map {
   std::string mission_id;
@@ -123,9 +132,10 @@ struct service_status {
   std::string refused;        // why the last mission that was asked for was not taken; empty: it was
   std::string refused_sample; // the beginning of what came instead of one, at most 1 KiB; kept over restarts
   std::uint64_t lost_reports = 0; // of progress, that were never delivered; what came after them was
+  bool waits_for_next = false;    // the service is asked for the vehicle's next mission, and has named none yet
   GODWIT_FIELDS(service_status, "mission_client.service_status", mission_id, revision, schema_version, last_fetch_ns,
                 fetch_errors, connection, pull, push_pending, pending, orphaned, expired, last_error, delivery_error,
-                may_deliver, refused, refused_sample, lost_reports);
+                may_deliver, refused, refused_sample, lost_reports, waits_for_next);
 };
 
 // -- told to the executor -------------------------------------------------------------------------

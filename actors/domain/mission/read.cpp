@@ -88,6 +88,7 @@ template read_result<ignored_item_batch> read(std::string_view text);
 template read_result<map_object_bundle> read(std::string_view text);
 template read_result<receipt> read(std::string_view text);
 template read_result<progress_status> read(std::string_view text);
+template read_result<next_mission> read(std::string_view text);
 template read_result<problem> read(std::string_view text);
 
 } // namespace godwit::mission

@@ -69,6 +69,8 @@ inline constexpr document_form form_of<receipt>{"receipt", max_answer_bytes};
 template <>
 inline constexpr document_form form_of<progress_status>{"progress_status", max_answer_bytes};
 template <>
+inline constexpr document_form form_of<next_mission>{"next_mission", max_answer_bytes};
+template <>
 inline constexpr document_form form_of<problem>{"problem", max_answer_bytes, judge::valijson, true};
 
 template <class T>

@@ -231,6 +231,8 @@ document_problems broken_rules(const receipt&) { return {}; }
 
 document_problems broken_rules(const progress_status&) { return {}; }
 
+document_problems broken_rules(const next_mission&) { return {}; }
+
 document_problems broken_rules(const problem&) { return {}; }
 
 } // namespace godwit::mission

@@ -40,6 +40,7 @@ using document_problems = std::vector<document_problem>;
 [[nodiscard]] document_problems broken_rules(const map_object_bundle& value);
 [[nodiscard]] document_problems broken_rules(const receipt& value);
 [[nodiscard]] document_problems broken_rules(const progress_status& value);
+[[nodiscard]] document_problems broken_rules(const next_mission& value);
 [[nodiscard]] document_problems broken_rules(const problem& value);
 
 inline constexpr std::string_view known_versions = "versions 1.x.y and 2.x.y";

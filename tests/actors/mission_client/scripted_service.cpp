@@ -155,10 +155,27 @@ bool scripted_service::advance(open_call& each, std::int64_t now_ns) {
 
 // -- the contract ---------------------------------------------------------------------------------
 
+std::optional<service_answer> scripted_service::next_of(const std::string& vehicle_id, bool may_wait) const {
+  if (vehicle_id != vehicle)
+    return problem(404, "no such vehicle");
+  for (const auto& each : next_missions) {
+    const auto found = missions.find(each);
+    const bool has_ended = found != missions.end() && !found->second.reports.empty() &&
+                           found->second.reports.back().kind == mission::progress_kind::complete;
+    if (!has_ended)
+      return plain(200, mission::to_text(mission::next_mission{answers_for.empty() ? vehicle_id : answers_for, each}));
+  }
+  return may_wait ? std::nullopt : std::optional(plain(204, ""));
+}
+
 std::optional<service_answer> scripted_service::handle(const service_call& call, bool may_wait) {
   const auto mark = call.target.find('?');
   const auto path = call.target.substr(0, mark);
   const auto query = mark == std::string::npos ? std::string() : call.target.substr(mark + 1);
+  constexpr std::string_view vehicles = "/vehicles/";
+  constexpr std::string_view next_call = "/missions/next";
+  if (path.starts_with(vehicles) && path.ends_with(next_call))
+    return next_of(path.substr(vehicles.size(), path.size() - vehicles.size() - next_call.size()), may_wait);
   constexpr std::size_t prefix = 10; // "/missions/"
   const auto id = path.substr(prefix, 36);
   const auto rest = path.size() > prefix + 36 ? path.substr(prefix + 36) : std::string();

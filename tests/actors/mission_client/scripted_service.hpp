@@ -98,6 +98,9 @@ public:
   std::uint32_t page_rows = 1'000'000; // of a page at most, beside what is asked for
   std::int32_t numbers_by = 1;         // a change raises the revision by so much: others have changed it, too
   bool knows_progress_call = true;     // GET .../progress; an older service does not
+  std::vector<std::string> next_missions; // missions of `vehicle`, which is given the first that has not ended
+  std::string vehicle = "bird-1";
+  std::string answers_for; // another vehicle; empty: for who asks
   std::set<std::string> poison;        // ids of observations that it will never take
 
   // What was seen.
@@ -127,6 +130,7 @@ private:
   [[nodiscard]] planned_fault take_fault(const service_call& call);
   [[nodiscard]] bool advance(open_call& each, std::int64_t now_ns);
   [[nodiscard]] std::optional<service_answer> handle(const service_call& call, bool may_wait);
+  [[nodiscard]] std::optional<service_answer> next_of(const std::string& vehicle_id, bool may_wait) const;
   [[nodiscard]] service_answer handle_post(service_mission& m, const service_call& call, const std::string& rest);
   [[nodiscard]] service_answer page(service_mission& m, const std::string& rest, const std::string& query);
   static void note_items(service_mission& m);

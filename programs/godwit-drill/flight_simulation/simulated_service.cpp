@@ -135,6 +135,18 @@ void simulated_service::add_mission(const mission::document& what) {
   GODWIT_ASSERT(added.has_value(), "drill: the mission is a good one");
 }
 
+void simulated_service::add_mission(const mission::document& what, std::int64_t now_ns) {
+  add_mission(what);
+  answer_polls(now_ns);
+}
+
+// They have their news.
+void simulated_service::answer_polls(std::int64_t now_ns) {
+  for (auto& each : open_)
+    if (each.at == stage::held)
+      answer(each, now_ns, missions::patience::some);
+}
+
 void simulated_service::set_map_objects(const std::string& mission_id,
                                         const std::vector<mission::map_object>& objects) {
   const auto set = missions::service_operations::set_map_objects(*file_, mission_id, objects);
@@ -145,9 +157,7 @@ bool simulated_service::assign(const std::string& mission_id, const missions::as
                                std::int64_t now_ns) {
   if (!missions::service_operations::assign(*file_, mission_id, wanted, ++assigned_))
     return false;
-  for (auto& each : open_)
-    if (each.at == stage::held) // a long poll has its news
-      answer(each, now_ns, missions::patience::some);
+  answer_polls(now_ns);
   return true;
 }
 

@@ -78,6 +78,7 @@ public:
 
   // -- its people
   void add_mission(const mission::document& what);
+  void add_mission(const mission::document& what, std::int64_t now_ns); // while vehicles ask for it
   void set_map_objects(const std::string& mission_id, const std::vector<mission::map_object>& objects);
   // False: the wish makes no sense for the mission as it is.
   bool assign(const std::string& mission_id, const sim::missions::assignment_request& wanted, std::int64_t now_ns);
@@ -116,6 +117,7 @@ private:
 
   [[nodiscard]] bool is_cut(std::int64_t now_ns) const { return now_ns < cut_until_ns_; }
   void advance(open_call& each, std::int64_t now_ns);
+  void answer_polls(std::int64_t now_ns);
   void lose(open_call& each, std::int64_t now_ns);
   void answer(open_call& each, std::int64_t now_ns, sim::missions::patience how_long);
   void deliver(const open_call& each);

@@ -38,6 +38,7 @@ enum class endpoint {
   post_progress,
   get_assignments,
   post_response,
+  get_next,
   none, // no call of the contract
 };
 
@@ -54,6 +55,7 @@ constexpr auto enum_names(endpoint) {
                               {endpoint::post_progress, "post-progress"},
                               {endpoint::get_assignments, "get-assignments"},
                               {endpoint::post_response, "post-response"},
+                              {endpoint::get_next, "get-next"},
                               {endpoint::none, "none"}});
 }
 

@@ -62,8 +62,7 @@ tl::expected<mission::assignment, std::string> mission_service_host::assign(cons
 }
 
 tl::expected<void, std::string> mission_service_host::add_mission(const mission::document& mission) {
-  return running_->inside(
-      [&](running_service& service) { return service_operations::add_mission(service.file(), mission); });
+  return running_->inside([&](running_service& service) { return service.add_mission(mission); });
 }
 
 tl::expected<void, std::string> mission_service_host::delete_mission(const std::string& mission_id) {

@@ -130,7 +130,7 @@ constexpr std::array number_rows{
                [](route& to, std::int64_t value) { to.limit = static_cast<std::uint64_t>(value); }},
     number_row{"after", endpoint::get_assignments, endpoint::get_assignments, 1, 2147483647,
                [](route& to, std::int64_t value) { to.after = value; }},
-    number_row{"wait_s", endpoint::get_assignments, endpoint::get_assignments, 0, max_wait_s,
+    number_row{"wait_s", endpoint::get_assignments, endpoint::get_next, 0, max_wait_s,
                [](route& to, std::int64_t value) { to.wait_s = static_cast<std::uint64_t>(value); }},
 };
 
@@ -178,10 +178,37 @@ std::string read_query(route& to, std::string_view query) {
   return {};
 }
 
+// Of /vehicles/{vehicle_id}/missions/next. None: it is another path.
+std::optional<std::string_view> vehicle_of_path(std::string_view path) {
+  constexpr std::string_view root = "/vehicles/";
+  constexpr std::string_view rest = "/missions/next";
+  if (!path.starts_with(root) || !path.ends_with(rest) || path.size() <= root.size() + rest.size())
+    return std::nullopt;
+  const auto id = path.substr(root.size(), path.size() - root.size() - rest.size());
+  return id.find('/') == std::string_view::npos ? std::optional(id) : std::nullopt;
+}
+
+tl::expected<route, route_error> route_of_vehicle(std::string_view method, std::string_view path,
+                                                  std::string_view vehicle_id, std::string_view query) {
+  if (method != "GET")
+    return tl::unexpected(route_error{405, in_quotes(method) + " is not possible there; possible: GET.", "GET"});
+  const auto id = decoded(vehicle_id);
+  if (!id)
+    return tl::unexpected(route_error{400, "The name of the vehicle is not percent-encoded as it should be.", {}});
+  route found{.where = endpoint::get_next, .path = std::string(path), .mission_id = {}, .assignment_id = {}, .next = {}};
+  found.vehicle_id = *id;
+  if (auto wrong = read_query(found, query); !wrong.empty())
+    return tl::unexpected(route_error{400, std::move(wrong), {}, found.where});
+  return found;
+}
+
 } // namespace
 
 tl::expected<route, route_error> route_of(std::string_view method, std::string_view target) {
   const auto path = target.substr(0, target.find('?'));
+  const auto query_text = target.size() > path.size() ? target.substr(path.size() + 1) : std::string_view();
+  if (const auto vehicle = vehicle_of_path(path))
+    return route_of_vehicle(method, path, *vehicle, query_text);
   const auto parts = parts_of_path(path);
   const auto nothing_there = [&] {
     return tl::unexpected(route_error{404, "There is nothing at " + in_quotes(path) + ".", {}});
@@ -202,8 +229,7 @@ tl::expected<route, route_error> route_of(std::string_view method, std::string_v
                 .mission_id = std::string(parts->mission_id),
                 .assignment_id = std::string(parts->assignment_id),
                 .next = {}};
-    const auto query = target.size() > path.size() ? target.substr(path.size() + 1) : std::string_view();
-    if (auto wrong = read_query(found, query); !wrong.empty())
+    if (auto wrong = read_query(found, query_text); !wrong.empty())
       return tl::unexpected(route_error{400, std::move(wrong), {}, row.where});
     if (row.where == endpoint::post_response && !is_uuid(parts->assignment_id))
       return tl::unexpected(route_error{

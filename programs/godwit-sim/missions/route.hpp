@@ -23,12 +23,13 @@ inline constexpr std::uint64_t max_wait_s = 60;
 struct route {
   endpoint where = endpoint::none;
   std::string path; // without the query
-  std::string mission_id;
+  std::string mission_id;    // empty: of get_next
   std::string assignment_id; // of post_response
   std::string next;          // of pages; empty: the first one
   std::uint64_t limit = default_page_rows;
   std::int64_t after = 0; // revision; of get_assignments
   std::uint64_t wait_s = default_wait_s;
+  std::string vehicle_id = {}; // of get_next
 };
 
 struct route_error {

@@ -189,6 +189,13 @@ void running_service::clear_faults() {
     teller_(listening.error());
 }
 
+running_service::done running_service::add_mission(const mission::document& mission) {
+  auto added = service_operations::add_mission(*file_, mission);
+  if (added)
+    server_->wake_polls();
+  return added;
+}
+
 tl::expected<mission::assignment, std::string> running_service::assign(const std::string& mission_id,
                                                                        const assignment_request& wanted) {
   auto made = service_operations::assign(*file_, mission_id, wanted, settings_.seed);

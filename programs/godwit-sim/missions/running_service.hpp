@@ -53,6 +53,7 @@ public:
   void clear_faults();
   [[nodiscard]] tl::expected<mission::assignment, std::string> assign(const std::string& mission_id,
                                                                       const assignment_request& wanted);
+  [[nodiscard]] done add_mission(const mission::document& mission);
   [[nodiscard]] done delete_mission(const std::string& mission_id);
   [[nodiscard]] std::optional<mission::document> current_mission(const std::string& mission_id);
   // The only one that there is, and is not deleted; else a sentence.

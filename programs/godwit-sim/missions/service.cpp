@@ -25,6 +25,7 @@ constexpr std::array handlers{
     handler_row{endpoint::post_waypoints, post_waypoint},    handler_row{endpoint::post_tail, post_tail},
     handler_row{endpoint::post_progress, post_progress},     handler_row{endpoint::get_assignments, get_assignments},
     handler_row{endpoint::post_response, post_response},     handler_row{endpoint::get_progress, get_progress},
+    handler_row{endpoint::get_next, get_next},
 };
 
 call_handler handler_of(endpoint where) {
@@ -62,6 +63,8 @@ answer not_routed(const route_error& error) {
 
 // None: the mission is there. Deleting twice is no error.
 std::optional<answer> no_mission(const route& to, const std::optional<mission_row>& mission) {
+  if (to.where == endpoint::get_next)
+    return std::nullopt;
   if (!mission)
     return problem_answer(404, "There is no mission " + to.mission_id + ".");
   if (mission->deleted_at && to.where != endpoint::delete_mission)
@@ -88,17 +91,17 @@ outcome service::handle(const request& asked, std::int64_t now_ns, patience how_
   if (!given)
     given = not_json(asked);
   if (!given)
-    given = handler_of(to->where)(*file_, {.asked = asked, .to = *to, .mission = *mission, .now_ns = now_ns});
+    given = handler_of(to->where)(*file_, {.asked = asked, .to = *to, .mission = mission.value_or(mission_row{}), .now_ns = now_ns});
   if (file_->has_failed()) {
     file_->rollback();
     return problem_answer(500, "The file of the service: " + file_->take_error());
   }
-  const bool is_empty_poll = to->where == endpoint::get_assignments && given->body.empty();
-  if (!is_empty_poll)
+  const bool is_poll = to->where == endpoint::get_assignments || to->where == endpoint::get_next;
+  if (!is_poll || !given->body.empty())
     return *std::move(given);
   if (how_long == patience::some && to->wait_s > 0)
     return waiting{to->wait_s};
-  return empty_assignments();
+  return to->where == endpoint::get_next ? no_next() : empty_assignments();
 }
 
 endpoint endpoint_of(const request& asked) {

@@ -76,6 +76,33 @@ answer get_mission(service_file& file, const call& at) {
   return {.body = mission_text(file, at.to.mission_id), .headers = {}};
 }
 
+namespace {
+
+std::optional<mission::progress_report> last_report(service_file& file, const mission_row& of) {
+  const auto text = row_text(file, of.mission_id, row_kind::progress, std::to_string(of.last_report_no));
+  if (!text)
+    return std::nullopt;
+  auto last = mission::read<mission::progress_report>(*text);
+  return last ? std::optional(*std::move(last)) : std::nullopt;
+}
+
+bool has_ended(service_file& file, const mission_row& mission) {
+  const auto last = last_report(file, mission);
+  return last && last->revision >= mission.revision &&
+         (last->kind == mission::progress_kind::complete || last->kind == mission::progress_kind::aborted);
+}
+
+} // namespace
+
+answer get_next(service_file& file, const call& at) {
+  for (const auto& each : live_missions(file))
+    if (const auto row = find_mission(file, each); row && !has_ended(file, *row))
+      return {.body = mission::to_text(mission::next_mission{at.to.vehicle_id, each}), .headers = {}};
+  return {.body = {}, .headers = {}};
+}
+
+answer no_next() { return {.status = 204, .content_type = {}, .body = {}, .headers = {}}; }
+
 answer remove_mission(service_file& file, const call& at) {
   file.begin();
   delete_mission(file, at.to.mission_id, mission::utc_text(at.now_ns));
@@ -182,11 +209,8 @@ answer put_reports(service_file& file, const call& at, const std::vector<mission
 } // namespace
 
 answer get_progress(service_file& file, const call& at) {
-  mission::progress_status told{static_cast<std::uint32_t>(at.mission.last_report_no), {}};
-  const auto number = std::to_string(at.mission.last_report_no);
-  if (const auto text = row_text(file, at.to.mission_id, row_kind::progress, number))
-    if (auto last = mission::read<mission::progress_report>(*text))
-      told.last_report = *std::move(last);
+  const mission::progress_status told{static_cast<std::uint32_t>(at.mission.last_report_no),
+                                      last_report(file, at.mission)};
   return {.body = mission::to_text(told), .headers = {}};
 }
 

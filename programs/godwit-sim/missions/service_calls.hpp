@@ -17,7 +17,7 @@ namespace godwit::sim::missions {
 struct call {
   const request& asked;
   const route& to;
-  const mission_row& mission; // is there, and not deleted
+  const mission_row& mission; // is there, and not deleted; of get_next: none
   std::int64_t now_ns = 0;    // since 1970
 };
 
@@ -73,6 +73,10 @@ template <class Body, class Apply>
 // Errors: as answers; those of the file are kept by it. Thread: the file's.
 
 [[nodiscard]] answer get_mission(service_file& file, const call& at);
+// The first of all missions that is not deleted, complete or aborted, whoever asks. The body is empty when there is
+// none; no_next then ends the wait.
+[[nodiscard]] answer get_next(service_file& file, const call& at);
+[[nodiscard]] answer no_next();
 [[nodiscard]] answer remove_mission(service_file& file, const call& at);
 [[nodiscard]] answer post_waypoint(service_file& file, const call& at);
 [[nodiscard]] answer post_tail(service_file& file, const call& at);

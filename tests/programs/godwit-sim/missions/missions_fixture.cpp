@@ -39,6 +39,7 @@ constexpr std::array judges{
     judge_row{endpoint::post_progress, judge<mission::receipt>},
     judge_row{endpoint::get_assignments, judge<mission::assignment_list>},
     judge_row{endpoint::post_response, judge<mission::receipt>},
+    judge_row{endpoint::get_next, judge<mission::next_mission>},
 };
 
 std::string judged(endpoint where, const answer& given) {

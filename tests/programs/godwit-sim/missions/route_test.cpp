@@ -36,6 +36,17 @@ TEST(missions_route, each_call_of_the_contract_is_known) {
   }
 }
 
+TEST(missions_route, the_next_mission_is_asked_for_by_the_vehicles_name) {
+  const auto found = route_of("GET", "/vehicles/bird%2D1/missions/next?wait_s=5").value();
+  EXPECT_EQ(found.where, endpoint::get_next);
+  EXPECT_EQ(found.vehicle_id, "bird-1");
+  EXPECT_EQ(found.wait_s, 5U);
+  EXPECT_EQ(route_of("POST", "/vehicles/a/missions/next").error().status, 405U);
+  EXPECT_EQ(route_of("GET", "/vehicles/a/missions/next?after=1").error().status, 400U);
+  for (const auto* path : {"/vehicles//missions/next", "/vehicles/a/b/missions/next", "/vehicles/a/missions"})
+    EXPECT_EQ(route_of("GET", path).error().status, 404U) << path;
+}
+
 TEST(missions_route, parameters_are_read_and_have_defaults) {
   const auto page = route_of("GET", target("/mapobjects?limit=17&next=a%2Bb%20")).value();
   EXPECT_EQ(page.limit, 17U);

@@ -79,6 +79,26 @@ TEST(missions_service, what_is_not_there_is_404_and_what_is_not_possible_405) {
   EXPECT_EQ(given.headers[0], (io::http::header{"Allow", "GET, POST"}));
 }
 
+TEST(missions_service, the_next_mission_is_the_first_that_has_not_ended) {
+  judged_service service;
+  auto second = small_mission();
+  second.mission_id = uuid(77);
+  ASSERT_TRUE(service_operations::add_mission(service.file(), second));
+  auto asked = get();
+  asked.target = "/vehicles/bird-1/missions/next?wait_s=0";
+  const auto next = [&] { return mission::read<mission::next_mission>(service.ask(asked).body); };
+  EXPECT_EQ(next(), (mission::next_mission{"bird-1", mission_id}));
+  auto ended = reports(1, 1, 2);
+  ended.reports.back().kind = mission::progress_kind::complete;
+  EXPECT_EQ(service.ask(posted("/progress", ended)).status, 200U);
+  EXPECT_EQ(next(), (mission::next_mission{"bird-1", uuid(77)}));
+  auto remove = get();
+  remove.target = "/missions/" + uuid(77);
+  remove.method = "DELETE";
+  EXPECT_EQ(service.ask(remove).status, 204U);
+  EXPECT_EQ(service.ask(asked).status, 204U);
+}
+
 TEST(missions_service, after_a_deletion_all_is_410_for_ever) {
   judged_service service;
   const auto first = posted("/progress", reports(1, 1, 2));

@@ -445,9 +445,10 @@ operators::answer core::on_operator(const operators::command& m, instant now) {
   return {true, {}};
 }
 
-// What is paused stays so: whoever chooses an item has not said that it goes on.
+// What is paused, or is to be, stays so: whoever chooses an item has not said that it goes on.
 effects core::on_station(const set_current& m, std::uint64_t key, instant now) {
-  if (flight_.is_in_flight() && flight_.s.status.now != phase::paused)
+  const auto at = flight_.s.status.now;
+  if (flight_.is_in_flight() && at != phase::paused && at != phase::pausing)
     return stations_.on_start({key, m.index, std::numeric_limits<std::uint16_t>::max(), m.plan_id, m.asked_by,
                                now.wall_ns + order_is_worth_ns},
                               now);

@@ -4,9 +4,11 @@
 //        ^               │  ^            │            │          │           │           │          │      │
 //        └── link down ──┴──┼────────────┘            │          │           │           │          │      v
 //                           ├──── another mission, revision or assignment ───┘           │          │  post_flight
-//                           └──── the next plan of the mission ──────────────────────────┼──────────┘      │
-//                                                                                        v                 v
-//                       paused <── a pilot, a failsafe, an operator, what could not be done               done
+//                           └──── the next plan of the mission ──────────────────────────┼──────────┤      │
+//                                                                                        │          v      v
+//                                                                                        ├─────> pausing  done
+//                                                                                        v          v
+//                       paused <── a pilot, a failsafe, an operator, what could not be done ────────┘
 //
 // Paused has a cause: what ends it depends on that. One that needs a hand-back also stands in post_flight and done.
 // Thread: constants.
@@ -24,6 +26,7 @@ enum class phase {
   ready,        // it is there, and waits for the start
   starting,
   flying,
+  pausing,     // an operator has commanded it to hold, and it is not seen to: it still flies the plan, or lands
   landing,     // the plan is flown; the vehicle comes down
   post_flight, // what is owed to the service is delivered
   done,
@@ -31,11 +34,16 @@ enum class phase {
   aborted // the mission is over before its end
 };
 
-GODWIT_ENUM_NAMES(phase, disconnected, connected, preflight, uploading, ready, starting, flying, landing, post_flight,
-                  done, paused, aborted);
+GODWIT_ENUM_NAMES(phase, disconnected, connected, preflight, uploading, ready, starting, flying, pausing, landing,
+                  post_flight, done, paused, aborted);
 
 // The mission is over, and all that was owed for it is done.
 [[nodiscard]] constexpr bool is_at_rest(phase now) { return now == phase::done || now == phase::aborted; }
+
+// Of a flight that nothing has paused.
+[[nodiscard]] constexpr bool is_on_way(phase now) {
+  return now == phase::flying || now == phase::pausing || now == phase::landing;
+}
 
 // It is flown no more; something may be owed for it.
 [[nodiscard]] constexpr bool is_over(phase now) { return now == phase::post_flight || is_at_rest(now); }

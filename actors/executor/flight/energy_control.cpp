@@ -44,7 +44,7 @@ effects energy_control::on_battery(instant now) {
   meter_.on_sample(*view.battery_percent(), now.now_ns);
   if (const auto newest = meter_.percent_per_s())
     measured_ = newest;
-  if (flight_.s.status.now == phase::landing || !watch_.becomes_short(spare(seconds_home(now))))
+  if (flight_.is_landing() || !watch_.becomes_short(spare(seconds_home(now))))
     return {};
   const auto reserve = std::to_string(flight_.configured.checks.battery_return_percent);
   return {announce{"the battery, at " + std::to_string(*view.battery_percent()) +

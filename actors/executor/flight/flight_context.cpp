@@ -75,11 +75,20 @@ bool flight_context::is_mission_finished() const {
          (is_on_way_home() && open && open->completed_revision == open->revision);
 }
 
+bool flight_context::is_mission_flown() const {
+  return s.status.now == phase::flying || (s.status.now == phase::pausing && !is_landing());
+}
+
+bool flight_context::is_landing() const {
+  const bool is_plan_over = is_plan_finished() || is_on_way_home() || was_called_home();
+  return s.status.now == phase::landing || (s.status.now == phase::pausing && is_plan_over);
+}
+
 bool flight_context::may_change_plan() const {
   const auto& at = s.status;
   return at.in_flight && !is_failsafe_gone &&
-         (at.now == phase::flying || is_held() || (at.now == phase::paused && at.cause == pause_cause::plan_ended) ||
-          (at.now == phase::landing && hovers()));
+         (is_mission_flown() || is_held() || (at.now == phase::paused && at.cause == pause_cause::plan_ended) ||
+          (is_landing() && hovers()));
 }
 
 bool flight_context::hovers() const {
@@ -126,9 +135,7 @@ bool flight_context::flies_deleted_mission() const {
          progress::is_begun(s.progress, s.mission->mission_id);
 }
 
-bool flight_context::is_coming_down() const {
-  return s.status.now == phase::landing || (ends_on_ground() && is_at_end_of_plan());
-}
+bool flight_context::is_coming_down() const { return is_landing() || (ends_on_ground() && is_at_end_of_plan()); }
 
 bool flight_context::came_down_as_planned(instant now) const {
   if (!ends_on_ground() || view.is_under_way())

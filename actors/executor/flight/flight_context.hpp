@@ -111,7 +111,9 @@ struct flight_context {
   [[nodiscard]] bool flies_deleted_mission() const;
   [[nodiscard]] bool is_on_way_home() const; // by a plan
   [[nodiscard]] bool was_called_home() const { return s.progress.paused == progress::pause_reason::aborted; }
-  [[nodiscard]] bool may_change_plan() const; // of a flight
+  [[nodiscard]] bool is_mission_flown() const; // it flies to its items, and may have been commanded to hold
+  [[nodiscard]] bool is_landing() const;       // the same: it comes down, or is home already
+  [[nodiscard]] bool may_change_plan() const;  // of a flight
   // Behind a plan that ends in the air, or on a way that a rover has driven: it can be sent elsewhere.
   [[nodiscard]] bool hovers() const;
 

@@ -10,9 +10,7 @@ using flight::mode_kind;
 constexpr std::int64_t stands_ns = 2'000'000'000;           // disarmed for so long, before its mode is changed
 constexpr std::int64_t last_word_within_ns = 4'000'000'000; // MISSION_CURRENT comes once a second, and may be lost
 
-bool is_open(phase now) {
-  return !is_over(now) && now != phase::starting && now != phase::flying && now != phase::landing;
-}
+bool is_open(phase now) { return !is_over(now) && now != phase::starting && !is_on_way(now); }
 
 } // namespace
 

@@ -157,8 +157,7 @@ void operator_control::begin_halt(effects& out, instant now) {
   drop_change(out);
   if (what == task_kind::come_home)
     return returns_.begin(out, now);
-  const auto at = flight_.s.status.now;
-  if (at == phase::flying || at == phase::landing)
+  if (is_on_way(flight_.s.status.now))
     phases_.go(out, trigger::told_to_hold);
   tasks_.begin(out, what, {change_mode{mode_kind::hold}});
 }

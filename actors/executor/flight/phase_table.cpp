@@ -16,12 +16,14 @@ constexpr phase_set of(P... each) {
 }
 
 constexpr phase_set any = (1U << phase_count) - 1;
-constexpr phase_set on_the_way = of(flying, landing);
+constexpr phase_set on_the_way = of(flying, pausing, landing);
 constexpr phase_set at_rest_or_prepared = of(disconnected, connected, preflight, ready, post_flight, done, aborted);
 
 bool is_in_flight(const flight_context& c) { return c.is_in_flight(); }
 // Or it flies the way home, which is no part of the mission.
 bool is_plan_finished(const flight_context& c) { return c.is_plan_finished() || c.is_on_way_home(); }
+// Or it was called home.
+bool is_plan_over(const flight_context& c) { return is_plan_finished(c) || c.was_called_home(); }
 bool has_person(const flight_context& c) { return c.has_person(); }
 bool waits_in_air(const flight_context& c) { return c.is_in_flight() && c.hovers() && c.is_in_air(); }
 bool is_flown_to_end(const flight_context& c) { return c.is_in_flight() && is_plan_finished(c); }
@@ -49,6 +51,7 @@ constexpr named_guard no_guard{"", nullptr};
 constexpr named_guard ends_in_air{"in flight, plan finished, in the air", waits_in_air};
 constexpr named_guard in_flight{"in flight", is_in_flight};
 constexpr named_guard plan_finished{"plan finished", is_plan_finished};
+constexpr named_guard plan_over{"plan finished, or called home", is_plan_over};
 constexpr named_guard flown_to_end{"in flight, plan finished", is_flown_to_end};
 constexpr named_guard with_person{"somebody else has the vehicle", has_person};
 constexpr named_guard more_plans{"plan finished, under godwit", has_more_plans};
@@ -138,8 +141,7 @@ constexpr std::array table{
     // in flight
     waits(trigger::plan_done, of(flying)),
     row(trigger::plan_done, of(flying), no_guard, landing),
-    with(row(trigger::told_to_hold, on_the_way, no_guard, stays), cause::none,
-         "pausing: the vehicle was commanded to hold"),
+    with(row(trigger::told_to_hold, on_the_way, no_guard, pausing), cause::none, "the vehicle was commanded to hold"),
     pauses(trigger::held, cause::asked, "held as asked"),
     waits(trigger::resumed, any),
     flying_on(trigger::resumed, any, plan_finished, landing),
@@ -148,6 +150,9 @@ constexpr std::array table{
     pauses(trigger::called_home, cause::asked, "the vehicle was sent home; resume prepares the flight"),
     with(row(trigger::called_home_by_plan, any, no_guard, flying), cause::none,
          "called home: it holds, and then flies around the fences"),
+    waits(trigger::not_obeyed, of(pausing)),
+    row(trigger::not_obeyed, of(pausing), plan_over, landing),
+    row(trigger::not_obeyed, of(pausing), no_guard, flying),
     with(row(trigger::not_obeyed, any, no_guard, stays), cause_rule::kept),
     pauses(trigger::task_failed, cause::not_done),
     // who has the vehicle
@@ -176,6 +181,7 @@ constexpr std::array table{
     flying_on(trigger::found_on_its_way, any, no_guard, flying),
     waits(trigger::found_in_flight, any),
     flying_on(trigger::found_in_flight, of(landing), no_guard, landing),
+    flying_on(trigger::found_in_flight, of(pausing), plan_over, landing),
     flying_on(trigger::found_in_flight, any, flown_to_end, landing),
     flying_on(trigger::found_in_flight, any, no_guard, flying),
     // the end

@@ -96,6 +96,8 @@ void recovery::recover_on_ground(effects& out, instant now) {
     watch_.resume(std::move(modes), now);
   }
   tasks_.end(out, "godwit was restarted before the vehicle moved");
+  if (flight_.s.status.now == phase::pausing) // it stands: it is not commanded to hold once more
+    phases_.go(out, trigger::found_in_flight);
   if (flight_.is_in_flight() || flight_.has_person() || is_over(s.status.now))
     return; // the end of the flight sees to it; who has the vehicle keeps it, and what is over stays so
   if (!s.doing && !was_prepared(s.status.now))
@@ -107,7 +109,7 @@ std::vector<std::uint32_t> recovery::left_in(const std::optional<task>& doing) c
   const auto& whose = flight_.view.owner();
   const auto holds = flight::modes_obeying(whose, mode_kind::hold);
   const auto at = flight_.s.status.now;
-  const bool is_at_end = at == phase::landing || flight_.s.status.cause == pause_cause::plan_ended;
+  const bool is_at_end = flight_.is_landing() || flight_.s.status.cause == pause_cause::plan_ended;
   const bool returns = doing && doing->kind == task_kind::come_home;
   if (flight_.is_held() && !doing)
     return holds;
@@ -169,7 +171,7 @@ void recovery::find_in_flight(effects& out, const std::optional<task>& doing, in
   if (is_held && (flight_.s.status.cause == pause_cause::asked || is(task_kind::hold)))
     return phases_.go(out, trigger::found_held);
   const bool is_ours = flight_.authority.is_ours() && !flight_.authority.is_unclear();
-  if (is_ours && flight_.s.status.now != phase::landing && flight_.view.is_in(mode_kind::mission) &&
+  if (is_ours && !flight_.is_landing() && flight_.view.is_in(mode_kind::mission) &&
       (is(task_kind::hold) || is(task_kind::come_home))) {
     // An operator's word, which the vehicle has not heard or not shown yet.
     if (is(task_kind::hold) && flight_.s.commanded) {

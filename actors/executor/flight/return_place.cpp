@@ -144,8 +144,7 @@ void return_place::tell(effects& out) {
   const auto why = "held, because home is not known to be that of the mission: " + flight_.home_sentence() +
                    "; come_home flies to the mission's by a plan, resume goes on";
   out.emplace_back(announce{why, true});
-  const auto at = flight_.s.status.now;
-  if ((at != phase::flying && at != phase::landing) || flight_.wanted.halt)
+  if (!is_on_way(flight_.s.status.now) || flight_.wanted.halt)
     return;
   flight_.wanted.put_halt(task_kind::hold);
   flight_.wanted.why_halt = why;

@@ -20,7 +20,7 @@ std::optional<scan_controller::survey_progress> survey_progress_of(const state& 
   scan_controller::survey_progress result;
   result.mission_id = s.flown->mission.mission_id;
   result.generation = generation.number;
-  result.is_flying = s.status.now == phase::flying;
+  result.is_flying = s.status.now == phase::flying || s.status.now == phase::pausing;
   // The last one that has begun.
   const auto& surveys = s.flown->surveys;
   const auto next =

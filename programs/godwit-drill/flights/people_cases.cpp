@@ -234,7 +234,7 @@ std::string contradict(watched_flight& watched, const contradiction& what) {
   say(flight, what.second, "second");
   flight.run_for(carried_out_within_s);
   const auto& at = flight.status();
-  const bool is_mission_flown = at.now == phase::flying || at.now == phase::starting;
+  const bool is_mission_flown = at.now == phase::flying || at.now == phase::pausing || at.now == phase::starting;
   const bool stops = what.second == command_kind::pause || what.second == command_kind::come_home;
   watched.expect(stops && is_mission_flown ? "the last word was to stop, and the mission is flown" : "");
   watched.expect(at.now == phase::paused && at.reason.empty() ? "it is paused without a reason" : "");

@@ -197,7 +197,7 @@ private:
   // From the start to the last leg; a kill of the process meanwhile changes nothing.
   void take_over() {
     const auto& at = flight_.status();
-    const bool flies = at.now == phase::starting || at.now == phase::flying || at.now == phase::landing;
+    const bool flies = at.now == phase::starting || executor::is_on_way(at.now);
     if (!flies || !flight_.vehicle().describe().armed)
       return;
     flight_.switch_mode(any_mode_of_pilot());

@@ -86,6 +86,10 @@ public:
     take(core_->on_station(m, now()));
     run_until_idle();
   }
+  void station_chooses(const executor::set_current& item, std::uint64_t key) {
+    take(core_->on_station(item, key, now()));
+    run_until_idle();
+  }
   // What a person does through it, as ground_port asks for it; whether it goes on to the vehicle is the test's.
   executor::act_answer station_does(executor::act_kind what, executor::station by = {255, 190}) {
     auto [wanted, answer] = core_->on_station(executor::station_act{what, by, std::string(io::name_of(what))}, now());

@@ -358,9 +358,23 @@ TEST_P(people, a_pause_that_was_lost_is_said_again_each_second_and_shown_as_paus
   world.lose_command(set_mode, 2);
   ASSERT_TRUE(world.say(command_kind::pause).is_taken);
   world.run_for(0.5);
-  EXPECT_EQ(world.durable().status.now, phase::flying) << world.story();
-  EXPECT_EQ(world.durable().status.reason.substr(0, 7), "pausing") << world.story();
+  EXPECT_EQ(world.durable().status.now, phase::pausing) << world.story();
+  EXPECT_EQ(world.durable().status.reason, "the vehicle was commanded to hold");
   EXPECT_TRUE(world.run_until_phase(phase::paused, 4)) << world.story();
+}
+
+TEST_P(people, whoever_chooses_an_item_while_a_pause_is_not_obeyed_yet_has_not_said_that_it_goes_on) {
+  flight_world world({.who = GetParam(), .speed = 1});
+  ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::started, "w2"));
+  world.lose_command(set_mode, 1);
+  ASSERT_TRUE(world.say(command_kind::pause).is_taken);
+  world.run_for(0.5);
+  ASSERT_EQ(world.durable().status.now, phase::pausing) << world.story();
+  world.station_chooses({.index = 1, .plan_id = 0, .asked_by = {255, 190}}, 7);
+  ASSERT_EQ(world.start_answers().size(), 1U) << world.story();
+  EXPECT_EQ(world.start_answers().front().verdict, start_verdict::not_ready);
+  world.run_for(20);
+  EXPECT_EQ(world.durable().status.now, phase::paused) << world.story();
 }
 
 TEST_P(people, a_pause_that_is_never_obeyed_is_said_so_and_not_shown_as_paused) {

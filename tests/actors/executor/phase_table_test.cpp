@@ -119,6 +119,28 @@ TEST(phase_table, behind_the_end_of_the_plan_it_lands_and_does_not_fly_on) {
   }
 }
 
+// The hold may have been commanded on any part of the way.
+TEST(phase_table, what_does_not_hold_flies_on_or_lands_as_before) {
+  for (const auto on : {trigger::not_obeyed, trigger::found_in_flight}) {
+    state s;
+    s.status = stands_in(phase::pausing, pause_cause::none, true);
+    flight_context flight({}, s);
+    phase_machine machine(flight);
+    const auto now_after = [&] {
+      effects out;
+      machine.go(out, on, "why");
+      return noted(out).value_or(phase_status{}).now;
+    };
+    EXPECT_EQ(now_after(), phase::flying) << io::name_of(on);
+    s.progress.paused = progress::pause_reason::aborted;
+    EXPECT_EQ(now_after(), phase::landing) << io::name_of(on) << ", called home";
+    s.progress.paused.reset();
+    s.progress.plan.emplace();
+    s.progress.plan->generation.is_finished = true;
+    EXPECT_EQ(now_after(), phase::landing) << io::name_of(on) << ", with the plan finished";
+  }
+}
+
 TEST(phase_table, who_has_the_vehicle_keeps_it_behind_the_end_of_the_mission) {
   state s;
   s.status = stands_in(phase::paused, pause_cause::taken_over, true);

@@ -232,6 +232,20 @@ TEST_P(come_home, a_pause_on_the_way_holds_and_the_next_word_goes_around_as_well
   }
 }
 
+TEST_P(come_home, said_while_a_pause_on_the_way_is_not_obeyed_yet_is_the_last_word) {
+  fly(around_a_fence(GetParam()));
+  ASSERT_TRUE(world->say(command_kind::come_home).is_taken);
+  ASSERT_TRUE(run_until_phase(phase::landing, 6)) << world->story();
+  run_for(2);
+  world->lose_command(176, 1); // DO_SET_MODE
+  ASSERT_TRUE(world->say(command_kind::pause).is_taken) << world->story();
+  run_for(0.3);
+  ASSERT_EQ(world->durable().status.now, phase::pausing) << world->story();
+  ASSERT_TRUE(world->say(command_kind::come_home).is_taken) << world->story();
+  EXPECT_TRUE(run_until_phase(phase::aborted)) << world->story();
+  EXPECT_LE(from_home_m(), 8) << world->story();
+}
+
 TEST_P(come_home, a_pilot_who_takes_it_on_the_way_has_it) {
   fly(around_a_fence(GetParam()));
   ASSERT_TRUE(world->say(command_kind::come_home).is_taken);

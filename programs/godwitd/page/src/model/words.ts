@@ -26,7 +26,7 @@ export function authority_words(holder: string | undefined): said {
 }
 
 const phase_tones: Record<string, tone> = {
-  disconnected: "warn", connected: "calm", preflight: "calm", ready: "good", flying: "good", paused: "warn",
+  disconnected: "warn", connected: "calm", preflight: "calm", ready: "good", flying: "good", pausing: "warn", paused: "warn",
   returning: "warn", done: "good", aborted: "bad",
 };
 

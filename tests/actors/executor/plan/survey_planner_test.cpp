@@ -5,6 +5,7 @@
 #include "actors/executor/plan/builder.hpp"
 #include "actors/executor/plan/places.hpp"
 #include "actors/executor/plan/vehicle_items.hpp"
+#include "actors/executor/plan/way_home.hpp"
 #include "tests/actors/executor/plan/missions.hpp"
 
 namespace godwit::executor::plan {
@@ -103,6 +104,15 @@ TEST(survey_planner, the_rest_of_a_survey_begins_at_its_line_with_the_camera_off
   EXPECT_EQ(rest.map.items[0].pictures, 40U);
   EXPECT_EQ(rest.map.items[0].first_sequence, 1) << "the end of the pictures belongs to no item";
   EXPECT_EQ(lines_done_at(rest.surveys.at(0), rest.surveys.at(0).first_line_sequence), 1U);
+}
+
+TEST(survey_planner, the_way_home_from_a_line_begins_with_the_end_of_its_pictures) {
+  auto setting = ardupilot_copter;
+  setting.is_under_way = true;
+  EXPECT_EQ(commands_of(way_home({waypoint("turn", at(50, 0, 50))}, setting)), (commands{16, 20}));
+  const auto whole = plan_of(survey_with(each_10_m), ardupilot_copter);
+  setting.stops_camera = camera_to_stop(whole.items, 4); // to the end of its first line
+  EXPECT_EQ(commands_of(way_home({waypoint("turn", at(50, 0, 50))}, setting)), (commands{206, 16, 20}));
 }
 
 } // namespace survey_planner_test

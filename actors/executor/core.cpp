@@ -487,9 +487,12 @@ effects core::on_news(const progress::resolve_start& m, instant now) {
   return {};
 }
 
-// Who has the vehicle still has it; behind the hand-back the plan counts. What would fly the vehicle's plan is given
+// Who has the vehicle still has it; after the hand-back the plan counts. What is over stays so: its plan is not needed
+// any more, and somebody else's is not replaced without a word. What would fly the vehicle's plan is given
 // up, but for a start that may have come through.
 void core::lose_plan(effects& out, trigger what, instant now) {
+  if (what != trigger::foreign_plan_found && is_over(flight_.s.status.now))
+    return;
   const bool is_infeasible = what == trigger::infeasible_plan_found;
   const std::string why = is_infeasible ? "the vehicle finds that the plan can not be flown"
                                         : "the vehicle does not hold our plan any more";

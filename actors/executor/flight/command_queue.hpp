@@ -72,6 +72,14 @@ struct command_queue {
     drop_words();
     go_on = true;
   }
+  // What was to be done to a flight that is over.
+  void drop_all_of_flight() {
+    finish_replan = false;
+    guard_again = false;
+    set_current_item = false;
+    bring_return_anew = false;
+    bring_back = false;
+  }
   // Somebody else has the vehicle: all but a hand-back is void.
   void drop_all_behind_takeover() {
     drop_words();

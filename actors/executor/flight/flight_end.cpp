@@ -77,6 +77,7 @@ bool flight_end::end_late(effects& out) {
 void flight_end::close(effects& out) {
   down_since_ns_ = 0;
   watch_.end_flight();
+  flight_.wanted.drop_all_of_flight();
   flight_.was_up = false;
   if (flight_.s.preflight.now != preflight::phase::idle)
     out.emplace_back(note{preflight::flight_ended{}});

@@ -31,6 +31,15 @@ protected:
     return testing::AssertionSuccess();
   }
 
+  [[nodiscard]] static testing::AssertionResult fly_when_started(flight_world& world) {
+    world.load(tests::short_mission(GetParam()));
+    if (!world.run_until_phase(phase::ready) || !world.say(command_kind::start).is_taken ||
+        !world.run_until_phase(phase::flying))
+      return testing::AssertionFailure() << world.story();
+    world.run_for(3);
+    return testing::AssertionSuccess();
+  }
+
   [[nodiscard]] static testing::AssertionResult pilot_takes_over(flight_world& world) {
     world.switch_mode(pilot_mode(GetParam()));
     if (!world.run_until([&] { return needs_hand_back(world.durable().status.cause); }, 10))
@@ -163,6 +172,48 @@ TEST_P(transitions_in_the_air, behind_the_end_a_hand_back_lets_the_next_mission_
   EXPECT_EQ(world.durable().status.now, phase::done) << world.story();
   ASSERT_TRUE(world.say(command_kind::hand_back).is_taken);
   EXPECT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+}
+
+mission::assignment another_place(personality who) {
+  mission::assignment result;
+  result.assignment_id = "11111111-2222-4333-8444-100000000001";
+  result.base_revision = 1;
+  result.revision = 2;
+  result.replace_after_item_id = "w2";
+  result.items = {tests::place("z", -20, 20, who == personality::rover ? 0 : 20)};
+  return result;
+}
+
+// The failsafe is told the limits of the plan again, and the mission mode follows: of a flight that goes on.
+TEST_P(transitions_in_the_air, what_a_restart_has_left_to_be_done_is_void_after_the_flight) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command});
+  ASSERT_TRUE(fly_when_started(world));
+  world.assign(another_place(GetParam()));
+  ASSERT_TRUE(world.run_until([&] { return world.durable().progress.upload.has_value(); }, 20)) << world.story();
+  world.crash();
+  ASSERT_TRUE(pilot_takes_over(world));
+  world.switch_mode(landing_mode(GetParam()));
+  ASSERT_TRUE(world.run_until([&] { return !world.durable().status.in_flight; }, 60)) << world.story();
+  world.run_for(5);
+  ASSERT_TRUE(world.say(command_kind::hand_back).is_taken) << world.story();
+  world.run_for(1);
+  ASSERT_TRUE(world.say(command_kind::resume).is_taken) << world.story();
+  EXPECT_FALSE(world.run_until([&] { return world.durable().status.in_flight; }, 20)) << world.story();
+}
+
+// A battery is changed, or the vehicle is switched off: nothing that is needed is lost.
+TEST_P(transitions, an_autopilot_that_starts_again_after_the_mission_leaves_it_ended) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command});
+  ASSERT_TRUE(fly_when_started(world));
+  ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  world.run_for(10);
+  world.vehicle().reboot(world.now_ns());
+  world.run_for(20);
+  EXPECT_EQ(world.durable().status.now, phase::done) << world.story();
+  auto next = tests::short_mission(GetParam());
+  next.mission_id = "22222222-3333-4444-8555-666666666666";
+  world.load(next);
+  EXPECT_TRUE(world.run_until_phase(phase::ready, 60)) << world.story();
 }
 
 INSTANTIATE_TEST_SUITE_P(each, transitions,

@@ -15,9 +15,16 @@ constexpr phase_set of(P... each) {
   return (0U | ... | (1U << static_cast<unsigned>(each)));
 }
 
-constexpr phase_set any = (1U << phase_count) - 1;
-constexpr phase_set on_the_way = of(flying, pausing, landing);
-constexpr phase_set at_rest_or_prepared = of(disconnected, connected, preflight, ready, post_flight, done, aborted);
+constexpr phase_set any = (1U << phase_count) - 1; // what takes the vehicle from godwit, and nothing else
+constexpr phase_set on_ground = of(disconnected, connected, preflight, uploading, ready, starting);
+constexpr phase_set on_the_way = of(flying, pausing, landing); // `in_flight`, always
+constexpr phase_set in_the_flight = on_the_way | of(paused);
+constexpr phase_set before_start = on_ground | of(paused); // paused on the ground
+constexpr phase_set open = on_ground | in_the_flight;
+constexpr phase_set over = of(post_flight, done, aborted);
+constexpr phase_set not_flown = before_start | over; // somebody else may drive it, and an operator stop that
+// Here a person may have the vehicle without a pause: nothing that is under way has to end.
+constexpr phase_set at_rest_or_prepared = of(disconnected, connected, preflight, ready) | over;
 
 bool is_in_flight(const flight_context& c) { return c.is_in_flight(); }
 // Or it flies the way home, which is no part of the mission.
@@ -101,15 +108,15 @@ constexpr transition flying_on(trigger on, phase_set from, const named_guard& gu
 }
 
 // The flight is over.
-constexpr transition ended(trigger on, const named_guard& guard, phase next) {
-  return flies(row(on, any, guard, next), flight_bit::no);
+constexpr transition ended(trigger on, phase_set from, const named_guard& guard, phase next) {
+  return flies(row(on, from, guard, next), flight_bit::no);
 }
 
-constexpr transition pauses(trigger on, pause_cause why, std::string_view reason = {}) {
-  return with(row(on, any, no_guard, paused), why, reason);
+constexpr transition pauses(trigger on, phase_set from, pause_cause why, std::string_view reason = {}) {
+  return with(row(on, from, no_guard, paused), why, reason);
 }
 
-// Behind a plan that ends in the air.
+// After a plan that ends in the air.
 constexpr transition waits(trigger on, phase_set from) {
   return flies(with(row(on, from, ends_in_air, paused), cause::plan_ended,
                     "the plan is flown and ends in the air; the vehicle waits there: come_home brings it back, goto "
@@ -127,74 +134,78 @@ constexpr std::array table{
     row(trigger::checks_begun, of(connected, preflight, ready), no_guard, preflight),
     row(trigger::checks_passed, of(preflight), no_guard, uploading),
     with(row(trigger::rest_refused, of(preflight), no_guard, paused), cause::not_done),
-    flying_on(trigger::plan_brought, any, in_flight, flying),
-    row(trigger::plan_brought, any, no_guard, ready),
-    pauses(trigger::plan_brought_held, cause::asked, "held as asked"),
+    row(trigger::plan_brought, on_the_way, no_guard, flying),
+    row(trigger::plan_brought, of(paused), in_flight, flying),
+    row(trigger::plan_brought, before_start, no_guard, ready),
+    pauses(trigger::plan_brought_held, in_the_flight, cause::asked, "held as asked"),
     with(row(trigger::start_waits, of(ready), no_guard, stays), cause::none,
          "this mission was begun before, or the vehicle was under way without godwit; a person has to start it"),
     row(trigger::start_begun, of(ready), no_guard, starting),
-    row(trigger::start_refused, any, no_guard, ready),
-    flies(pauses(trigger::start_failed, cause::not_done), flight_bit::if_in_air),
-    pauses(trigger::start_stopped, cause::asked, "stopped before it moved; resume prepares the flight again"),
-    flying_on(trigger::started, any, no_guard, flying),
+    row(trigger::start_refused, before_start, no_guard, ready),
+    flies(pauses(trigger::start_failed, before_start, cause::not_done), flight_bit::if_in_air),
+    pauses(trigger::start_stopped, before_start, cause::asked,
+           "stopped before it moved; resume prepares the flight again"),
+    flying_on(trigger::started, not_flown, no_guard, flying),
     flying_on(trigger::found_started, of(ready, paused), no_guard, flying),
     // in flight
     waits(trigger::plan_done, of(flying)),
     row(trigger::plan_done, of(flying), no_guard, landing),
     with(row(trigger::told_to_hold, on_the_way, no_guard, pausing), cause::none, "the vehicle was commanded to hold"),
-    pauses(trigger::held, cause::asked, "held as asked"),
-    waits(trigger::resumed, any),
-    flying_on(trigger::resumed, any, plan_finished, landing),
-    flying_on(trigger::resumed, any, no_guard, flying),
-    with(row(trigger::called_home, any, in_flight, landing), cause::none, "the vehicle returns"),
-    pauses(trigger::called_home, cause::asked, "the vehicle was sent home; resume prepares the flight"),
-    with(row(trigger::called_home_by_plan, any, no_guard, flying), cause::none,
+    pauses(trigger::held, in_the_flight, cause::asked, "held as asked"),
+    pauses(trigger::held, on_ground | over, cause::asked, "held as asked; resume prepares the flight"),
+    waits(trigger::resumed, in_the_flight),
+    flying_on(trigger::resumed, in_the_flight, plan_finished, landing),
+    flying_on(trigger::resumed, in_the_flight, no_guard, flying),
+    with(row(trigger::called_home, on_the_way, no_guard, landing), cause::none, "the vehicle returns"),
+    with(row(trigger::called_home, of(paused), in_flight, landing), cause::none, "the vehicle returns"),
+    pauses(trigger::called_home, not_flown, cause::asked, "the vehicle was sent home; resume prepares the flight"),
+    with(row(trigger::called_home_by_plan, in_the_flight, no_guard, flying), cause::none,
          "called home: it holds, and then flies around the fences"),
     waits(trigger::not_obeyed, of(pausing)),
     row(trigger::not_obeyed, of(pausing), plan_over, landing),
     row(trigger::not_obeyed, of(pausing), no_guard, flying),
-    with(row(trigger::not_obeyed, any, no_guard, stays), cause_rule::kept),
-    pauses(trigger::task_failed, cause::not_done),
+    with(row(trigger::not_obeyed, of(flying, landing) | on_ground | over, no_guard, stays), cause_rule::kept),
+    pauses(trigger::task_failed, open, cause::not_done),
     // who has the vehicle
     with(row(trigger::person_acts_on_ground, at_rest_or_prepared, no_guard, stays), cause::taken_over),
-    pauses(trigger::person_acts_on_ground, cause::taken_over),
-    flies(pauses(trigger::person_took_over, cause::taken_over), flight_bit::if_moving),
-    flies(pauses(trigger::failsafe_acts, cause::failsafe), flight_bit::if_moving),
-    flies(pauses(trigger::autopilot_failsafe_acts, cause::autopilot_failsafe), flight_bit::if_moving),
+    pauses(trigger::person_acts_on_ground, of(uploading, starting) | in_the_flight, cause::taken_over),
+    flies(pauses(trigger::person_took_over, any, cause::taken_over), flight_bit::if_moving),
+    flies(pauses(trigger::failsafe_acts, any, cause::failsafe), flight_bit::if_moving),
+    flies(pauses(trigger::autopilot_failsafe_acts, any, cause::autopilot_failsafe), flight_bit::if_moving),
     row(trigger::handed_back, at_rest_or_prepared, no_guard, stays),
-    with(row(trigger::handed_back, any, with_foreign_plan, paused), cause::foreign_plan, other_plan),
-    with(row(trigger::handed_back, any, with_infeasible_plan, paused), cause::infeasible_plan, infeasible),
-    with(row(trigger::handed_back, any, without_plan, paused), cause::vehicle_restarted, plan_lost),
-    waits(trigger::handed_back, any),
-    flying_on(trigger::handed_back, any, at_end_of_plan, landing),
-    flying_on(trigger::handed_back, any, in_mission_mode, flying),
-    pauses(trigger::handed_back, cause::asked, "handed back; resume goes on with the mission"),
-    pauses(trigger::foreign_plan_found, cause::foreign_plan, other_plan),
-    pauses(trigger::infeasible_plan_found, cause::infeasible_plan, infeasible),
-    pauses(trigger::autopilot_restarted, cause::vehicle_restarted, plan_lost),
-    // behind a restart of the executor
-    pauses(trigger::restarted_on_ground, cause::restarted,
+    with(row(trigger::handed_back, of(paused), with_foreign_plan, paused), cause::foreign_plan, other_plan),
+    with(row(trigger::handed_back, of(paused), with_infeasible_plan, paused), cause::infeasible_plan, infeasible),
+    with(row(trigger::handed_back, of(paused), without_plan, paused), cause::vehicle_restarted, plan_lost),
+    waits(trigger::handed_back, of(paused)),
+    flying_on(trigger::handed_back, of(paused), at_end_of_plan, landing),
+    flying_on(trigger::handed_back, of(paused), in_mission_mode, flying),
+    pauses(trigger::handed_back, of(paused), cause::asked, "handed back; resume goes on with the mission"),
+    pauses(trigger::foreign_plan_found, any, cause::foreign_plan, other_plan),
+    pauses(trigger::infeasible_plan_found, open, cause::infeasible_plan, infeasible),
+    pauses(trigger::autopilot_restarted, open, cause::vehicle_restarted, plan_lost),
+    // after a restart of the executor
+    pauses(trigger::restarted_on_ground, before_start, cause::restarted,
            "godwit was restarted on the ground; resume prepares the flight again"),
-    pauses(trigger::replan_left_open, cause::asked,
+    pauses(trigger::replan_left_open, in_the_flight, cause::asked,
            "godwit was restarted while it replaced the plan; resume starts the new one"),
-    pauses(trigger::found_held, cause::asked, "held as asked"),
-    flying_on(trigger::found_on_its_way, any, no_guard, flying),
-    waits(trigger::found_in_flight, any),
+    pauses(trigger::found_held, open, cause::asked, "held as asked"), // a start counts as begun until it was looked
+    flying_on(trigger::found_on_its_way, open, no_guard, flying),
+    waits(trigger::found_in_flight, in_the_flight),
     flying_on(trigger::found_in_flight, of(landing), no_guard, landing),
     flying_on(trigger::found_in_flight, of(pausing), plan_over, landing),
-    flying_on(trigger::found_in_flight, any, flown_to_end, landing),
-    flying_on(trigger::found_in_flight, any, no_guard, flying),
+    flying_on(trigger::found_in_flight, of(flying, paused), flown_to_end, landing),
+    flying_on(trigger::found_in_flight, open, no_guard, flying),
     // the end
-    with(ended(trigger::flight_ended, with_person, paused), cause_rule::kept,
+    with(ended(trigger::flight_ended, in_the_flight, with_person, paused), cause_rule::kept,
          "the flight ended under somebody else; nothing is brought, armed or started until an operator hands the "
          "vehicle back"),
-    ended(trigger::flight_ended, more_plans, connected),
-    with(ended(trigger::flight_ended, no_guard, paused), cause::taken_over,
+    ended(trigger::flight_ended, in_the_flight, more_plans, connected),
+    with(ended(trigger::flight_ended, in_the_flight, no_guard, paused), cause::taken_over,
          "the flight ended before its plan, and not by godwit; look at the vehicle and hand it back, then resume "
          "prepares the rest"),
-    with(ended(trigger::mission_ended, to_deliver, post_flight), cause_rule::kept_if_person),
-    with(ended(trigger::mission_ended, mission_finished, done), cause_rule::kept_if_person),
-    with(ended(trigger::mission_ended, no_guard, aborted), cause_rule::kept_if_person),
+    with(ended(trigger::mission_ended, open, to_deliver, post_flight), cause_rule::kept_if_person),
+    with(ended(trigger::mission_ended, open, mission_finished, done), cause_rule::kept_if_person),
+    with(ended(trigger::mission_ended, open, no_guard, aborted), cause_rule::kept_if_person),
     with(row(trigger::delivered, of(post_flight), no_guard, done), cause_rule::kept),
 };
 

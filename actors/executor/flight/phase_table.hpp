@@ -1,9 +1,11 @@
 // The phases of a flight: which trigger leads from which phase to which, and under which guard.
 //
-// A trigger that the table has no row for in the phase in which the flight stands is a defect, and throws: the actor
-// starts again and looks at the vehicle. What takes the vehicle away from godwit has a row in each phase. The first row
-// that fits counts. The table is the same for all classes of vehicles; how each starts and ends is in vehicle_steps.hpp
-// and flight_end.hpp. Thread: constants; the machine one at a time.
+// Phases stand in sets (the namespace of the table): on the ground, on the way, in the flight with its pauses, over. A
+// row begins in the sets or phases from which its trigger can come. A trigger that the table has no row for in the
+// phase in which the flight stands is a defect, and throws: the actor starts again and looks at the vehicle. What takes
+// the vehicle away from godwit has a row in each phase, and nothing else has. The first row that fits counts. The table
+// is the same for all classes of vehicles; how each starts and ends is in vehicle_steps.hpp and flight_end.hpp. Thread:
+// constants; the machine one at a time.
 #pragma once
 
 #include <array>
@@ -55,7 +57,7 @@ enum class trigger {
   foreign_plan_found,
   infeasible_plan_found, // ours
   autopilot_restarted,
-  // behind a restart of the executor
+  // after a restart of the executor
   restarted_on_ground,
   replan_left_open,
   found_held,

@@ -23,10 +23,13 @@ public:
 
 private:
   // The plan ends between two heartbeats, while something else is said: no flight by hand meets that moment, and random
-  // ones seldom. phase_table_test.cpp takes them.
+  // ones seldom. phase_rows_test.cpp takes them.
   static bool is_moment(const transition& each) {
-    if (each.on == trigger::called_home && each.next == phase::paused)
-      return true; // somebody else flies a plan of his own, and an operator calls it home
+    if ((each.on == trigger::called_home && each.next == phase::paused) ||
+        (each.on == trigger::held && has(each.from, phase::done)))
+      return true; // somebody else flies a plan of his own, and an operator stops it or calls it home
+    if (each.on == trigger::not_obeyed && (each.holds != nullptr || !has(each.from, phase::pausing)))
+      return true; // the same, or the plan ends while the vehicle does not hold
     if (each.on == trigger::handed_back && each.guard.find("infeasible") != std::string_view::npos)
       return true; // a person has taken a PX4 before it has judged the plan that was brought in flight
     const bool is_at_end = each.guard.find("plan finished") != std::string_view::npos;

@@ -1,4 +1,4 @@
-// The phase table by itself; what takes which row is tested by flights.
+// The phase table as a whole; each of its rows: phase_rows_test.cpp. What takes which row is tested by flights.
 #include "actors/executor/flight/phase_table.hpp"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ TEST(phase_table, each_trigger_has_a_row) {
 
 TEST(phase_table, what_takes_the_vehicle_from_godwit_pauses_in_each_phase) {
   for (const auto on : {trigger::person_took_over, trigger::failsafe_acts, trigger::autopilot_failsafe_acts,
-                        trigger::foreign_plan_found, trigger::infeasible_plan_found, trigger::autopilot_restarted})
+                        trigger::foreign_plan_found})
     for (int from = 0; from <= last_phase; ++from) {
       state s;
       s.status = stands_in(static_cast<phase>(from));
@@ -56,6 +56,17 @@ TEST(phase_table, what_takes_the_vehicle_from_godwit_pauses_in_each_phase) {
       EXPECT_EQ(noted(out)->now, phase::paused) << io::name_of(on);
       EXPECT_EQ(noted(out)->reason.empty(), false);
     }
+}
+
+TEST(phase_table, a_plan_that_is_lost_pauses_whatever_is_not_over) {
+  for (const auto on : {trigger::infeasible_plan_found, trigger::autopilot_restarted})
+    for (int from = 0; from <= last_phase; ++from)
+      EXPECT_EQ(has_row(on, static_cast<phase>(from)), !is_over(static_cast<phase>(from))) << io::name_of(on);
+}
+
+TEST(phase_table, nothing_but_what_takes_the_vehicle_begins_in_any_phase) {
+  constexpr phase_set any = (1U << phase_count) - 1;
+  EXPECT_LE(std::ranges::count(phase_table(), any, &transition::from), 4);
 }
 
 // The first row that fits counts: one behind a row without a guard would never be taken.
@@ -101,68 +112,6 @@ TEST(phase_table, the_same_standing_is_not_noted_again) {
   effects out;
   machine.go(out, trigger::mission_changed);
   EXPECT_TRUE(out.empty());
-}
-
-// The plan is flown while something else is said.
-TEST(phase_table, behind_the_end_of_the_plan_it_lands_and_does_not_fly_on) {
-  state s;
-  s.status = stands_in(phase::paused, pause_cause::asked, true);
-  s.progress.plan.emplace();
-  s.progress.plan->generation.is_finished = true;
-  flight_context flight({}, s);
-  phase_machine machine(flight);
-  for (const auto on : {trigger::resumed, trigger::found_in_flight}) {
-    effects out;
-    machine.go(out, on);
-    ASSERT_TRUE(noted(out)) << io::name_of(on);
-    EXPECT_EQ(*noted(out), (phase_status{phase::landing, pause_cause::none, "", true})) << io::name_of(on);
-  }
-}
-
-// The hold may have been commanded on any part of the way.
-TEST(phase_table, what_does_not_hold_flies_on_or_lands_as_before) {
-  for (const auto on : {trigger::not_obeyed, trigger::found_in_flight}) {
-    state s;
-    s.status = stands_in(phase::pausing, pause_cause::none, true);
-    flight_context flight({}, s);
-    phase_machine machine(flight);
-    const auto now_after = [&] {
-      effects out;
-      machine.go(out, on, "why");
-      return noted(out).value_or(phase_status{}).now;
-    };
-    EXPECT_EQ(now_after(), phase::flying) << io::name_of(on);
-    s.progress.paused = progress::pause_reason::aborted;
-    EXPECT_EQ(now_after(), phase::landing) << io::name_of(on) << ", called home";
-    s.progress.paused.reset();
-    s.progress.plan.emplace();
-    s.progress.plan->generation.is_finished = true;
-    EXPECT_EQ(now_after(), phase::landing) << io::name_of(on) << ", with the plan finished";
-  }
-}
-
-TEST(phase_table, who_has_the_vehicle_keeps_it_behind_the_end_of_the_mission) {
-  state s;
-  s.status = stands_in(phase::paused, pause_cause::taken_over, true);
-  flight_context flight({}, s);
-  phase_machine machine(flight);
-  effects out;
-  machine.go(out, trigger::mission_ended, "why");
-  ASSERT_TRUE(noted(out));
-  EXPECT_EQ(*noted(out), (phase_status{phase::aborted, pause_cause::taken_over, "why", false}));
-}
-
-// Of a flight that is none of ours: nothing would lead out of the landing.
-TEST(phase_table, what_is_called_home_and_is_no_flight_of_ours_is_paused) {
-  state s;
-  s.status = stands_in(phase::ready);
-  flight_context flight({}, s);
-  phase_machine machine(flight);
-  effects out;
-  machine.go(out, trigger::called_home);
-  ASSERT_TRUE(noted(out));
-  EXPECT_EQ(noted(out)->now, phase::paused);
-  EXPECT_EQ(noted(out)->cause, pause_cause::asked);
 }
 
 TEST(phase_table, a_pause_that_was_asked_for_ends_with_the_mission) {

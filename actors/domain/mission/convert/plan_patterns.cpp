@@ -55,7 +55,7 @@ bool has_survey_details(plan_source& source, const plan_node& node, const plan_n
          source.flag_or(transects, "Refly90Degrees", false) || source.flag_or(node, "flyAlternateTransects", false);
 }
 
-// Of a survey whose lines the file does not have, so that those that it had say nothing about the camera.
+// Of a survey whose lines were never laid, so that they say nothing about the camera.
 std::optional<survey_camera> camera_of(plan_source& source, const plan_node& transects, const plan_node& camera) {
   const auto distance_m = source.number_or(camera, "AdjustedFootprintFrontal", 0);
   if (!(distance_m > 0))
@@ -96,10 +96,12 @@ void import_survey(plan_source& source, const plan_node& node, item_importer& im
     return take_laid_items(source, transects, importer);
   if (!why.empty())
     return lose(source, node, "survey: its area", why + ", and the file does not have its lines", left_out);
-  if (!has_laid_items(transects))
+  const bool is_unlaid = transects.has("Items") && !has_laid_items(transects); // as godwit writes it
+  if (is_unlaid)
     area.camera = camera_of(source, transects, camera);
-  if (has_survey_details(source, node, transects))
-    lose(source, node, "survey: pictures in hover, a second flight across or every other line",
+  if (has_survey_details(source, node, transects) || (has_turns && !area.camera))
+    lose(source, node,
+         "survey: turns outside of the area, pictures in hover, a second flight across or every other line",
          "the file does not have its lines, and a survey of a mission has none of that", "flown over the area once");
   importer.append(std::move(area), {node.pointer, "item " + std::to_string(node.item.value_or(0)) + ", survey"},
                   node.item.value_or(0));

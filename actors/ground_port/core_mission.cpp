@@ -52,6 +52,7 @@ bool take_verdict(Verdicts& of, const plan_judged& m) {
 void core::make_server() {
   auto autopilot_quirks = mission_server::plain_quirks();
   autopilot_quirks.capacity = settings_.max_items;
+  autopilot_quirks.also_takes = settings_.allowed_commands;
   autopilot_quirks.listens = mission_server::hears::component_0_too;
   autopilot_quirks.when_partial = mission_server::partial_list::taken;
   server_.emplace(autopilot_quirks, ourselves());

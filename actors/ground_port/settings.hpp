@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "actors/domain/mission/commands/command_policy.hpp"
 #include "actors/ground_port/forward_gate.hpp"
 #include "actors/ground_port/mission_server/autopilot_quirks.hpp"
 #include "io/mavlink/enums.hpp"
@@ -41,6 +42,7 @@ struct settings {
   std::string open_line; // why anybody can speak on it, as a sentence for people; empty: not anybody can
   std::optional<operators::role> stations_are = {}; // beside operators; none: there are none
   int max_items = 1'000;                            // of one plan; more is answered with NO_SPACE
+  mission::allowed_commands allowed_commands = {};  // flight.allowed_commands
 };
 
 // Why SETTINGS can not be used, as a sentence for people; nothing: they can.

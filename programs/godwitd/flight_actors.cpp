@@ -69,6 +69,7 @@ ground_port::settings settings_of_ground(const daemon_settings& settings) {
   result.passes = settings.ground_passes;
   result.also_passes = settings.ground_also_passes;
   result.max_items = settings.ground_max_items;
+  result.allowed_commands = settings.allowed_commands;
   result.stations_are = settings.ground_key_file.empty() ? settings.unsigned_stations : operators::role::operator_;
   if (settings.ground) {
     const bool is_signed = !settings.ground_key_file.empty();

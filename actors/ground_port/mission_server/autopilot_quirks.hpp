@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "actors/domain/mission/commands/command_table.hpp"
 #include "actors/ground_port/mission_server/texts.hpp"
@@ -107,6 +108,7 @@ struct autopilot_quirks {
   // An item with a command that this vehicle refuses by the table of commands is UNSUPPORTED; none: all that can be an
   // item is taken.
   std::optional<mission::vehicle_profile> profile;
+  std::vector<std::uint16_t> also_takes = {}; // as items of a mission: commands that the table does not have
   bool checks_type = true; // UNSUPPORTED for an unknown mission type; else it is cleared, and has no space
   bool checks_latitude = true;
   fence_quirks fence;

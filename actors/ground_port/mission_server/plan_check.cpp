@@ -1,5 +1,6 @@
 #include "actors/ground_port/mission_server/plan_check.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -20,8 +21,11 @@ constexpr std::int32_t max_longitude = 1'800'000'000;
 } // namespace
 
 mav_mission_result check_item(const mavlink::mission_item_int& item, const autopilot_quirks& vehicle) {
-  const auto place = place_of(item.command, static_cast<mav_mission_type>(item.mission_type));
+  const auto type = static_cast<mav_mission_type>(item.mission_type);
   const auto* const row = mission::command_of(item.command);
+  const bool is_allowed = row == nullptr && type == mav_mission_type::mission &&
+                          std::ranges::find(vehicle.also_takes, item.command) != vehicle.also_takes.end();
+  const auto place = is_allowed ? std::optional(item_place::at_a_position) : place_of(item.command, type);
   const bool is_refused =
       vehicle.profile && row != nullptr && row->answer_of(*vehicle.profile) == mission::item_answer::refused;
   if (!place || is_refused)

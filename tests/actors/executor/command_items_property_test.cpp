@@ -64,7 +64,7 @@ class disturbed_flight {
 public:
   explicit disturbed_flight(std::uint64_t seed)
       : random_(seed), vehicle_(one_of(command_samples::vehicles)), row_(*one_of(rows())), mission_(with_sample()),
-        world_({.who = vehicle_.who, .seed = seed}), places_(world_, mission_) {}
+        world_({.who = vehicle_.who, .seed = seed, .has_payload = seed % 2 == 0}), places_(world_, mission_) {}
 
   testing::AssertionResult fly() {
     world_.load(mission_);

@@ -31,6 +31,19 @@ TEST(check_item, refuses_commands_that_it_does_not_know) {
   EXPECT_EQ(check_item(item, {}), mav_mission_result::unsupported);
 }
 
+TEST(check_item, takes_unknown_commands_that_are_allowed_as_items_of_a_mission) {
+  auto item = waypoint();
+  item.command = 9'999;
+  autopilot_quirks vehicle;
+  vehicle.also_takes = {9'998, 9'999};
+  EXPECT_EQ(check_item(item, vehicle), mav_mission_result::accepted);
+  item.x = 2'000'000'000;
+  vehicle.checks_latitude = true;
+  EXPECT_EQ(check_item(item, vehicle), mav_mission_result::invalid_param5_x);
+  item.mission_type = number(mav_mission_type::fence);
+  EXPECT_EQ(check_item(item, vehicle), mav_mission_result::unsupported);
+}
+
 TEST(check_item, refuses_commands_of_another_type_of_plan) {
   auto item = waypoint();
   item.mission_type = number(mav_mission_type::fence);

@@ -78,8 +78,8 @@ effects core::on_client_back() {
   const auto& s = flight_.s;
   effects out;
   service_.forget_told();
-  if (flight_.configured.has_service && !flight_.configured.mission_id.empty())
-    out.emplace_back(say_to_client{mission_client::begin_mission{flight_.configured.mission_id}});
+  if (const auto id = service_.mission_under_way(); !id.empty())
+    out.emplace_back(say_to_client{mission_client::begin_mission{id}});
   const bool has_ended = s.status.now == phase::post_flight || s.status.now == phase::aborted;
   if (flight_.configured.has_service && has_ended && s.mission)
     out.emplace_back(say_to_client{mission_client::push_map{s.mission->mission_id}});

@@ -18,7 +18,7 @@ std::string sentence_of(const mission_client::earlier_reports& earlier, const st
 } // namespace
 
 effects core::on_mission(const mission_client::mission_loaded& m, instant now) {
-  service_.on_mission();
+  service_.on_mission(m);
   const auto& s = flight_.s;
   const auto& id = m.document.mission_id;
   effects out;
@@ -80,7 +80,8 @@ effects core::on_deleted(const mission_client::mission_deleted& m, instant) {
   const bool is_current = s.mission && s.mission->mission_id == m.mission_id;
   effects out;
   std::string what_follows = "what was seen for it is kept on board";
-  if (is_current || m.mission_id == flight_.configured.mission_id) {
+  const bool comes_next = s.arrived && s.arrived->mission_id == m.mission_id;
+  if (is_current || comes_next || m.mission_id == flight_.configured.mission_id) {
     out.emplace_back(note{deletion_told{m.mission_id}});
     what_follows = "it is not flown any more";
   }

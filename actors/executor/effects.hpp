@@ -60,8 +60,8 @@ struct watch_vehicle {
 
 // To mission_client.
 struct say_to_client {
-  std::variant<mission_client::begin_mission, mission_client::pull_map, mission_client::accept_copy,
-               mission_client::push_map>
+  std::variant<mission_client::begin_mission, mission_client::begin_next, mission_client::pull_map,
+               mission_client::accept_copy, mission_client::push_map>
       what;
 };
 

@@ -36,8 +36,8 @@ constexpr auto enum_names(failsafe_gone_policy) {
 }
 
 // What follows when the service has deleted a mission that was begun: it is flown to its end, also behind a landing on
-// the way, or the vehicle comes home in flight and stays on the ground. In both cases people are told then, and when the
-// vehicle is down.
+// the way, or the vehicle comes home in flight and stays on the ground. In both cases people are told then, and when
+// the vehicle is down.
 enum class deletion_policy { go_on, come_home };
 
 constexpr auto enum_names(deletion_policy) {
@@ -50,8 +50,10 @@ enum class scan_policy { with_survey, all, none };
 GODWIT_ENUM_NAMES(scan_policy, with_survey, all, none);
 
 struct settings {
-  std::string mission_id; // that the service is asked for, or of the file; empty: ground stations bring missions
+  std::string mission_id; // that the service is asked for, or of the file; empty: the next one of the service, or
+                          // ground stations bring missions
   bool has_service = true;
+  std::string vehicle_id; // as the service calls the vehicle, whose next mission it is asked for
   start_policy start = start_policy::on_command;
   bool arm_on_start = false; // else a person arms
   // Behind a landing on the way, and whenever else this mission has flown before.
@@ -73,6 +75,9 @@ struct settings {
   bool brings_last_line = true; // fences and rally points to the vehicle as well: flight/last_line.hpp
   bool marks_landings = false;  // of fixed wings, with DO_LAND_START: see plan/setting.hpp
   preflight::settings checks;
+
+  // One mission after the other, as the service gives them.
+  [[nodiscard]] bool asks_next() const { return has_service && mission_id.empty() && !vehicle_id.empty(); }
 };
 
 } // namespace godwit::executor

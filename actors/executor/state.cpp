@@ -180,7 +180,7 @@ durable_effects take(state& s, const mission_arrived& happened, std::int64_t) {
 durable_effects take(state& s, const mission_taken& happened, std::int64_t now_ns) {
   if (!s.mission || s.mission->mission_id != happened.mission.mission_id) {
     s.awaits_word = progress::is_begun(s.progress, happened.mission.mission_id);
-    s.awaits_person = false;
+    s.awaits_person = happened.awaits_person;
     s.flown_changes.clear();
     s.home.reset();
     s.supervision.has_landed = false;

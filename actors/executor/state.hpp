@@ -130,7 +130,8 @@ struct deployment {
 struct mission_taken {
   mission::document mission;
   std::optional<std::string> assignment; // that it carries out; answered when the plan is on the vehicle
-  GODWIT_FIELDS(mission_taken, "executor.mission_taken", mission, assignment);
+  bool awaits_person = false;            // also where flights start by themselves
+  GODWIT_FIELDS(mission_taken, "executor.mission_taken", mission, assignment, awaits_person);
 };
 
 // The service wants other items. It waits until what goes on now is over.
@@ -375,8 +376,8 @@ struct state {
       person; // through which the person acts who has the vehicle; none: another way, or nobody has
   // It has flown, was resumed on the ground, was begun before, or was under way without us: a person starts it.
   bool awaits_word = false;
-  // Somebody has acted on the vehicle since its plan was brought: a person starts it, also where flights that take off
-  // again start by themselves.
+  // Somebody has acted on the vehicle since its plan was brought, or the mission before was called off: a person starts
+  // it, also where flights that take off again start by themselves.
   bool awaits_person = false;
   std::optional<kept_home> home;   // of this mission
   bool has_commanded_home = false; // and has not freed it

@@ -1,8 +1,8 @@
 // Asks which mission the vehicle is to fly next, one long poll after the other, while none is known.
 //
-// A bad answer is a sentence for people, and the same is asked again in growing pauses, about twice a minute at last: an
-// unknown vehicle, another vehicle's mission, one that is over on board, what is no answer of the contract. Where it is
-// not allowed, a person has to act. Thread: one at a time.
+// A bad answer is a sentence for people, and the same is asked again in growing pauses, about twice a minute at last:
+// an unknown vehicle, another vehicle's mission, one that is over on board, what is no answer of the contract. Where it
+// is not allowed, a person has to act. Thread: one at a time.
 #pragma once
 
 #include <cstdint>

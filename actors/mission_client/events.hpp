@@ -154,11 +154,12 @@ struct clock_jumped {
   GODWIT_FIELDS(clock_jumped, "mission_client.clock_jumped", by_ns);
 };
 
-using event = std::variant<begin_mission, begin_next, next_given, pull_map, accept_copy, push_map, report_progress, respond_to_assignment,
-                           insert_waypoint, replace_tail, retry_outbox, begun_anew, progress_told, earlier_delivered,
-                           owed_found, mission_fetched, fetch_failed, pull_ended, mission_looked_up, assignments_seen,
-                           rows_delivered, rows_failed, rows_refused, mission_gone, batch_planned, batch_empty,
-                           batch_returned, change_done, change_failed, store_operation_done, clock_jumped>;
+using event =
+    std::variant<begin_mission, begin_next, next_given, pull_map, accept_copy, push_map, report_progress,
+                 respond_to_assignment, insert_waypoint, replace_tail, retry_outbox, begun_anew, progress_told,
+                 earlier_delivered, owed_found, mission_fetched, fetch_failed, pull_ended, mission_looked_up,
+                 assignments_seen, rows_delivered, rows_failed, rows_refused, mission_gone, batch_planned, batch_empty,
+                 batch_returned, change_done, change_failed, store_operation_done, clock_jumped>;
 
 // -- effects, beside what the listener is told ----------------------------------------------------
 

@@ -98,8 +98,8 @@ runtime::condition planner::health(const state& s) const {
   const auto why = last_error();
   if (s.now == phase::refused)
     return {runtime::health_colour::red, "the mission is refused" + (why.empty() ? "" : ": " + why)};
-  if (deliveries_.blocked() != 0 || polling_.is_blocked() || looking_up_.is_blocked() || asking_progress_.is_blocked() ||
-      asking_next_.is_blocked())
+  if (deliveries_.blocked() != 0 || polling_.is_blocked() || looking_up_.is_blocked() ||
+      asking_progress_.is_blocked() || asking_next_.is_blocked())
     return {runtime::health_colour::red, "the missions service does not allow it: " + why};
   if (s.refused_rows != 0 && is_full(s.rows))
     return {runtime::health_colour::red,

@@ -10,10 +10,10 @@ namespace godwit::mission_client {
 
 // What the executor may ask for.
 using flight_handle =
-    runtime::mailbox<runtime::tells<begin_mission>, runtime::tells<begin_next>, runtime::tells<pull_map>, runtime::tells<accept_copy>,
-                     runtime::tells<push_map>, runtime::tells<report_progress>, runtime::tells<respond_to_assignment>,
-                     runtime::tells<insert_waypoint>, runtime::tells<replace_tail>,
-                     runtime::asks<get_service, service_status>>;
+    runtime::mailbox<runtime::tells<begin_mission>, runtime::tells<begin_next>, runtime::tells<pull_map>,
+                     runtime::tells<accept_copy>, runtime::tells<push_map>, runtime::tells<report_progress>,
+                     runtime::tells<respond_to_assignment>, runtime::tells<insert_waypoint>,
+                     runtime::tells<replace_tail>, runtime::asks<get_service, service_status>>;
 
 // What the operator may ask for.
 using operator_handle =
@@ -30,10 +30,10 @@ using wake_handle = runtime::mailbox<runtime::tells<wake>>;
 
 // All that mission_client takes.
 using own_handle =
-    runtime::mailbox<runtime::tells<begin_mission>, runtime::tells<begin_next>, runtime::tells<pull_map>, runtime::tells<accept_copy>,
-                     runtime::tells<push_map>, runtime::tells<report_progress>, runtime::tells<respond_to_assignment>,
-                     runtime::tells<insert_waypoint>, runtime::tells<replace_tail>,
-                     runtime::asks<get_service, service_status>, runtime::asks<retry_outbox, retry_answer>,
-                     runtime::tells<wake>>;
+    runtime::mailbox<runtime::tells<begin_mission>, runtime::tells<begin_next>, runtime::tells<pull_map>,
+                     runtime::tells<accept_copy>, runtime::tells<push_map>, runtime::tells<report_progress>,
+                     runtime::tells<respond_to_assignment>, runtime::tells<insert_waypoint>,
+                     runtime::tells<replace_tail>, runtime::asks<get_service, service_status>,
+                     runtime::asks<retry_outbox, retry_answer>, runtime::tells<wake>>;
 
 } // namespace godwit::mission_client

@@ -47,6 +47,8 @@ inline constexpr std::array option_rows{
     option_row{"service", "/service/url", option_kind::text, "URL",
                "The missions service, such as https://missions.example.org"},
     option_row{"mission-id", "/mission/id", option_kind::text, "UUID", "The mission, as the service calls it"},
+    option_row{"vehicle-id", "/service/vehicle", option_kind::text, "NAME",
+               "Instead: the vehicle, whose next mission the service is asked for, one after the other"},
     option_row{"token-file", "/service/token_file", option_kind::text, "FILE",
                "The vehicle's token for the service; mode 0600"},
     option_row{"ca-file", "/service/ca_file", option_kind::text, "FILE",

@@ -57,6 +57,32 @@ io::http::settings http_settings(const json& service) {
   return result;
 }
 
+bool is_vehicle_name(const std::string& text) {
+  constexpr std::size_t longest = 64;
+  return !text.empty() && text.size() <= longest && std::ranges::all_of(text, [](char c) {
+    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '.' || c == '-' ||
+           c == '_';
+  });
+}
+
+// One mission, or the next ones of a vehicle.
+checked read_mission_of_service(const json& configuration, daemon_settings& to) {
+  to.vehicle_id = text(configuration.at("service"), "vehicle");
+  if (!to.vehicle_id.empty() && !is_vehicle_name(to.vehicle_id))
+    return wrong("vehicle-id", "is \"" + programs::printable(to.vehicle_id) +
+                                   "\"; it has 1 to 64 letters, digits, points, - and _, such as bird-1");
+  const bool takes_next = to.mission_id.empty() && !to.vehicle_id.empty();
+  if (takes_next && !(to.flies && to.sightings_file.empty()))
+    return wrong("mission-id", "is missing: a run on the ground, and a file of sightings, belong to one mission");
+  if (!takes_next && !ids::is_uuid(to.mission_id))
+    return wrong(
+        "mission-id",
+        (to.mission_id.empty() ? "is missing" : "is \"" + to.mission_id + "\"") +
+            "; it is a UUID in small letters, such as 7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42. Or name the vehicle "
+            "with --vehicle-id, and its next mission is asked for");
+  return {};
+}
+
 // A run on the ground takes no missions of ground stations, and sightings belong to a mission that is known before.
 bool stations_may_bring(const json& configuration, const daemon_settings& so_far) {
   return so_far.flies && so_far.sightings_file.empty() && !text(configuration.at("ground"), "uri").empty();
@@ -107,9 +133,8 @@ checked read_source(const json& configuration, daemon_settings& to) {
   if (service.base_url.empty())
     return wrong("service", "is missing: name the missions service, a file with --mission, or with --ground a line for "
                             "ground stations that upload missions");
-  if (!ids::is_uuid(to.mission_id))
-    return wrong("mission-id", (to.mission_id.empty() ? "is missing" : "is \"" + to.mission_id + "\"") +
-                                   "; it is a UUID in small letters, such as 7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42");
+  if (auto named = read_mission_of_service(configuration, to); !named)
+    return named;
   if (const auto known = io::http::checked(service); !known)
     return wrong("service", known.error().message());
   to.service = service;
@@ -155,6 +180,7 @@ checked read_flight(const json& configuration, daemon_settings& to) {
   const auto& flight = configuration.at("flight");
   to.allow_crash = flight.at("allow_crash").get<bool>();
   to.flight.mission_id = to.mission_id;
+  to.flight.vehicle_id = to.vehicle_id;
   to.flight.has_service = to.service.has_value();
   to.flight.start = io::value_of<executor::start_policy>(text(flight, "start")).value();
   to.flight.arm_on_start = flight.at("arm_on_start").get<bool>();

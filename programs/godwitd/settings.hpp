@@ -36,7 +36,8 @@ struct daemon_settings {
   std::optional<link_log_options> link_log;  // none: the links are not recorded
   std::optional<io::http::settings> service; // none: the mission comes from mission_file
   mission_client::settings client;           // how it is asked
-  std::string mission_id;                    // with a service; else as the file says
+  std::string mission_id;                    // with a service; else as the file says; empty: the next ones
+  std::string vehicle_id;                    // whose they are, as the service calls it
   std::string mission_file;                  // without
   bool allow_partial = false;
   mission::allowed_commands allowed_commands; // that no mission may hold otherwise

@@ -51,6 +51,8 @@ std::string flight_context::sentence() const {
     result += ": " + at.reason;
   else if (at.now == phase::preflight)
     result += ": " + preflight::sentence_of(s.preflight);
+  else if (waits_for_next())
+    result += ": the missions service is asked for the next mission";
   if (at.now == phase::starting && !refused_start.empty())
     result += ": " + refused_start_sentence();
   const bool fails = s.preflight.now == preflight::phase::failed || s.preflight.now == preflight::phase::awaiting_ack;
@@ -128,6 +130,23 @@ bool flight_context::is_at_end_of_plan() const {
 bool flight_context::is_in_return_of_plan() const {
   const auto* const last = last_flown_item(s);
   return last != nullptr && plan::is_return_item(*last) && is_at_end_of_plan();
+}
+
+bool flight_context::was_called_off() const {
+  const auto& open = s.progress.mission;
+  return open && open->last_report && open->last_report->kind == mission::progress_kind::aborted;
+}
+
+bool flight_context::waits_for_next() const {
+  if (!configured.asks_next() || is_flight_begun(s) || s.doing || s.arrived)
+    return false;
+  if (!s.mission)
+    return true;
+  if (s.status.now == phase::post_flight) // it is delivered first
+    return false;
+  const bool is_withdrawn = s.deleted_mission == s.mission->mission_id && !flies_deleted_mission();
+  return is_at_rest(s.status.now) || is_withdrawn ||
+         progress::has_ended(s.progress, s.mission->mission_id, s.mission->revision);
 }
 
 bool flight_context::flies_deleted_mission() const {

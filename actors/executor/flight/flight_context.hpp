@@ -107,6 +107,10 @@ struct flight_context {
   [[nodiscard]] bool has_open_intent() const { return s.progress.upload || s.progress.start; }
   [[nodiscard]] bool is_plan_finished() const;
   [[nodiscard]] bool is_mission_finished() const;
+  // Before its end, as its last report tells.
+  [[nodiscard]] bool was_called_off() const;
+  // No mission is under way, and the service is asked for the next one.
+  [[nodiscard]] bool waits_for_next() const;
   // By policy: it was begun, and is not over.
   [[nodiscard]] bool flies_deleted_mission() const;
   [[nodiscard]] bool is_on_way_home() const; // by a plan

@@ -16,7 +16,7 @@ mission_origin origin_of(const flight_context& flight, const std::string& missio
   const auto& configured = flight.configured;
   const bool is_configured = !configured.mission_id.empty() && configured.mission_id == mission_id;
   if (configured.has_service)
-    return is_configured ? mission_origin::service : mission_origin::unknown;
+    return is_configured || configured.asks_next() ? mission_origin::service : mission_origin::unknown;
   return is_configured ? mission_origin::file : mission_origin::upload;
 }
 

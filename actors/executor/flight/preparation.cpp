@@ -45,6 +45,9 @@ preflight::vehicle_facts preparation::look_at_vehicle(instant now) const {
 
 std::string preparation::why_no_mission() const {
   const auto& id = flight_.configured.mission_id;
+  if (service_.refusal().empty() && flight_.configured.asks_next())
+    return "the missions service is asked for the next mission of vehicle " + flight_.configured.vehicle_id +
+           "; it is loaded as soon as there is one";
   if (!service_.refusal().empty() || id.empty() || !progress::has_ended(flight_.s.progress, id, 0))
     return service_.refusal();
   return "mission " + id + " was flown to its end, or called off, before. Give it a new revision, or another mission.";
@@ -164,7 +167,7 @@ bool preparation::take_arrived(effects& out) {
     out.emplace_back(note{arrival_refused{next.revision}});
     return true;
   }
-  out.emplace_back(note{mission_taken{next, {}}});
+  out.emplace_back(note{mission_taken{next, {}, flight_.configured.asks_next() && flight_.was_called_off()}});
   out.emplace_back(note{preflight::mission_changed{next.mission_id, next.revision}});
   phases_.go(out, trigger::mission_changed);
   return true;

@@ -9,14 +9,21 @@ using mission_client::pull_state;
 
 // -- what it tells ----------------------------------------------------------------------------------
 
-void service_view::on_mission() {
+void service_view::on_mission(const mission_client::mission_loaded& m) {
   refusal_.clear();
   may_begin_again_ = false;
+  next_at_ns_ = 0;
+  if (m.cause != mission_client::load_cause::fetched)
+    return;
+  map_ = pull_state::in_flight; // that of the mission before is none for this one
+  map_problem_.clear();
 }
 
 void service_view::on_refused(const mission_client::mission_refused& m, instant now) {
-  refusal_ = m.reason;
-  may_begin_again_ = m.why != mission_client::refusal::deleted;
+  const bool is_next = flight_.configured.asks_next();
+  refusal_ = is_next ? "mission " + m.mission_id + ": " + m.reason : m.reason;
+  may_begin_again_ = m.why != mission_client::refusal::deleted && !is_next;
+  next_at_ns_ = now.now_ns + begin_again_ns;
   begin_at_ns_ = now.now_ns + begin_again_ns;
 }
 
@@ -42,6 +49,7 @@ void service_view::on_status(const mission_client::service_status& m) {
 void service_view::forget_told() {
   pull_at_ns_ = 0;
   is_told_of_copy_ = false;
+  next_at_ns_ = 0;
 }
 
 // -- what is asked ----------------------------------------------------------------------------------
@@ -55,6 +63,8 @@ void service_view::ask_again(effects& out, instant now) {
   if (!flight_.configured.has_service || flight_.is_in_flight())
     return;
   const bool at_once = std::exchange(wants_pull_, false);
+  if (flight_.waits_for_next())
+    return ask_for_next(out, now, at_once);
   if (may_begin_again_ && (at_once || now.now_ns >= begin_at_ns_)) {
     may_begin_again_ = false; // until it is refused again
     out.emplace_back(say_to_client{mission_client::begin_mission{flight_.configured.mission_id}});
@@ -62,6 +72,30 @@ void service_view::ask_again(effects& out, instant now) {
   }
   if (wants_status() && !is_deleted())
     ask_for_map(out, now, at_once);
+}
+
+std::vector<std::string> service_view::over() const {
+  std::vector<std::string> result;
+  const auto add = [&](const progress::mission_record& each) {
+    if (progress::has_ended(flight_.s.progress, each.mission_id, each.revision))
+      result.push_back(each.mission_id);
+  };
+  for (const auto& each : flight_.s.progress.past_missions)
+    add(each);
+  if (flight_.s.progress.mission)
+    add(*flight_.s.progress.mission);
+  if (flight_.s.mission && std::ranges::find(result, flight_.s.mission->mission_id) == result.end())
+    result.push_back(flight_.s.mission->mission_id); // withdrawn, or called off before anything was told of it
+  return result;
+}
+
+void service_view::ask_for_next(effects& out, instant now, bool at_once) {
+  auto ended = over();
+  if (!at_once && now.now_ns < next_at_ns_ && ended == told_over_)
+    return;
+  next_at_ns_ = now.now_ns + begin_again_ns;
+  told_over_ = std::move(ended);
+  out.emplace_back(say_to_client{mission_client::begin_next{flight_.configured.vehicle_id, told_over_}});
 }
 
 void service_view::ask_for_map(effects& out, instant now, bool at_once) {
@@ -90,6 +124,10 @@ std::string service_view::pull() {
   if (flight_.is_in_flight())
     return "a flight is under way; the map is pulled on the ground";
   const bool has_failed = map_ == pull_state::failed || map_ == pull_state::cached_fallback;
+  if (flight_.waits_for_next()) {
+    wants_pull_ = true;
+    return {};
+  }
   if (is_deleted())
     return "the service has deleted the mission";
   if (!may_begin_again_ && !has_failed)
@@ -105,6 +143,15 @@ std::int64_t service_view::pull_pause_ns() const {
 }
 
 // -- what is known ----------------------------------------------------------------------------------
+
+std::string service_view::mission_under_way() const {
+  const auto& s = flight_.s;
+  if (!flight_.configured.asks_next())
+    return flight_.configured.has_service ? flight_.configured.mission_id : std::string();
+  if (s.arrived)
+    return s.arrived->mission_id;
+  return s.mission && !flight_.waits_for_next() ? s.mission->mission_id : std::string();
+}
 
 bool service_view::is_copy_accepted() const {
   const auto& checks = flight_.s.preflight;

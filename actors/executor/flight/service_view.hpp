@@ -3,11 +3,16 @@
 // A mission that was refused is asked for again each minute, a map whose pull failed after 30 s, then in growing pauses
 // up to 5 minutes, until it is synced, a flight begins or an operator accepts the copy from before; an operator's
 // `pull` asks at once. A mission that the service has deleted is not asked for again. Nothing is asked in flight. What
-// is said is lost with a crash of either actor, and is said again. Pure. Thread: one at a time.
+// is said is lost with a crash of either actor, and is said again.
+//
+// Without a mission of its own the service is asked for the vehicle's next one, as soon as none is under way, and again
+// each minute: mission_client knows whether it is asked already. What is over is told with it, so that no mission is
+// begun again by itself. Pure. Thread: one at a time.
 #pragma once
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "actors/executor/flight/flight_context.hpp"
 
@@ -22,7 +27,7 @@ public:
   explicit service_view(const flight_context& flight) : flight_(flight) {}
 
   // -- what it tells
-  void on_mission();
+  void on_mission(const mission_client::mission_loaded& m);
   void on_refused(const mission_client::mission_refused& m, instant now);
   void on_map(const mission_client::map_pulled& m);
   void on_status(const mission_client::service_status& m);
@@ -36,6 +41,8 @@ public:
   [[nodiscard]] std::string pull();
 
   // -- what is known
+  // That mission_client is to have loaded; empty: none, or it is asked for the next one.
+  [[nodiscard]] std::string mission_under_way() const;
   [[nodiscard]] mission_client::pull_state map() const { return map_; }
   [[nodiscard]] const std::string& map_problem() const { return map_problem_; } // why the last pull failed
   [[nodiscard]] const std::string& refusal() const { return refusal_; }         // empty: it was not refused
@@ -46,6 +53,8 @@ public:
 
 private:
   [[nodiscard]] bool is_copy_accepted() const;
+  [[nodiscard]] std::vector<std::string> over() const;
+  void ask_for_next(effects& out, instant now, bool at_once);
   [[nodiscard]] std::int64_t pull_pause_ns() const;
   void ask_for_map(effects& out, instant now, bool at_once);
 
@@ -59,6 +68,8 @@ private:
   std::int64_t failed_pulls_ = 0; // in a row
   bool is_told_of_copy_ = false;  // that it was accepted
   bool wants_pull_ = false;       // an operator does
+  std::int64_t next_at_ns_ = 0;   // the next mission is asked for again; 0: at once
+  std::vector<std::string> told_over_;
 };
 
 } // namespace godwit::executor

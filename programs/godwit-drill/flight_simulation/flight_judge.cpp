@@ -85,6 +85,12 @@ std::string flaw_of_reports(flight_simulation& flight) {
   return flaw;
 }
 
+std::string flaw_of_mission(flight_simulation& flight, const std::string& mission_id) {
+  const auto reports = flight.reports_of(mission_id);
+  auto flaw = flaw_of_order(reports);
+  return flaw.empty() ? flaw_of_items(reports, flight.service().mission(mission_id)) : flaw;
+}
+
 report_counts count_reports(flight_simulation& flight) {
   report_counts result;
   std::set<std::uint32_t> numbers;

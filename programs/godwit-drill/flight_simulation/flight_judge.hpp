@@ -14,6 +14,10 @@ namespace godwit::drill {
 // was lost. Empty: it holds; else a sentence.
 [[nodiscard]] std::string flaw_of_reports(flight_simulation& flight);
 
+// The same of one mission of several that is done: its reports, as the service has them, count from 1 without a gap,
+// tell of each of its items, and end with its completion. Empty: it holds.
+[[nodiscard]] std::string flaw_of_mission(flight_simulation& flight, const std::string& mission_id);
+
 // Reports that are missing, or items that no report tells of although the mission is done; and what was told twice.
 struct report_counts {
   std::uint64_t lost = 0;

@@ -33,7 +33,7 @@ daemon::daemon_settings settings_for(const std::string& mission_id, const flight
       {"vehicle", wanted.vehicle_line}, {"ground", "udpin://127.0.0.1:0"}, {"operator-listen", "127.0.0.1:0"}};
   if (wanted.has_service) {
     words["service"] = "https://missions.example.org";
-    words["mission-id"] = mission_id;
+    words[wanted.takes_next ? "vehicle-id" : "mission-id"] = wanted.takes_next ? "bird-1" : mission_id;
   }
   words["arm-on-start"] = wanted.arms_on_start ? "true" : "false";
   words["ground-as-autopilot"] = wanted.speaks_as_autopilot ? "true" : "false";
@@ -346,13 +346,18 @@ void flight_simulation::say(operators::command what) {
 
 // -- what has happened ------------------------------------------------------------------------------
 
-std::vector<mission::progress_report> flight_simulation::reports() {
+std::vector<mission::progress_report> flight_simulation::reports_of(const std::string& mission_id) {
   std::vector<mission::progress_report> result;
-  for (const auto& each : service_.rows(mission_id_, sim::missions::row_kind::progress)) {
+  for (const auto& each : service_.rows(mission_id, sim::missions::row_kind::progress)) {
     auto read = mission::read<mission::progress_report>(each.text);
     GODWIT_ASSERT(read.has_value(), "the service has stored a good report");
     result.push_back(*std::move(read));
   }
+  return result;
+}
+
+std::vector<mission::progress_report> flight_simulation::reports() {
+  auto result = reports_of(mission_id_);
   if (result.size() < 3)
     return result;
   const auto third = result.begin() + 2;

@@ -69,6 +69,7 @@ public:
     bool arms_on_start = true;
     bool speaks_as_autopilot = false; // to the station
     bool has_service = true;          // else missions are what the station uploads
+    bool takes_next = false;          // the missions of the service one after the other; else the first alone
     double speed = 10;                // of the vehicle's world
     double stream_factor = 0.3; // rates of its streams: three times the real ones in a world that is ten times as fast
     bool beats_at_mode_change = true;     // of an ArduPilot
@@ -198,6 +199,7 @@ public:
   [[nodiscard]] bool was_told_last(const std::string& words) const;
   // As the service has them, in the order in which they came.
   [[nodiscard]] std::vector<mission::progress_report> reports();
+  [[nodiscard]] std::vector<mission::progress_report> reports_of(const std::string& mission_id);
   // All of it, for messages of tests.
   [[nodiscard]] std::string story();
 

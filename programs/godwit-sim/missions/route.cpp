@@ -195,7 +195,8 @@ tl::expected<route, route_error> route_of_vehicle(std::string_view method, std::
   const auto id = decoded(vehicle_id);
   if (!id)
     return tl::unexpected(route_error{400, "The name of the vehicle is not percent-encoded as it should be.", {}});
-  route found{.where = endpoint::get_next, .path = std::string(path), .mission_id = {}, .assignment_id = {}, .next = {}};
+  route found{
+      .where = endpoint::get_next, .path = std::string(path), .mission_id = {}, .assignment_id = {}, .next = {}};
   found.vehicle_id = *id;
   if (auto wrong = read_query(found, query); !wrong.empty())
     return tl::unexpected(route_error{400, std::move(wrong), {}, found.where});

@@ -22,7 +22,7 @@ inline constexpr std::uint64_t max_wait_s = 60;
 
 struct route {
   endpoint where = endpoint::none;
-  std::string path; // without the query
+  std::string path;          // without the query
   std::string mission_id;    // empty: of get_next
   std::string assignment_id; // of post_response
   std::string next;          // of pages; empty: the first one

@@ -19,12 +19,18 @@ struct handler_row {
 };
 
 constexpr std::array handlers{
-    handler_row{endpoint::get_mission, get_mission},         handler_row{endpoint::delete_mission, remove_mission},
-    handler_row{endpoint::get_map_objects, get_map_objects}, handler_row{endpoint::post_map_objects, post_map_objects},
-    handler_row{endpoint::get_ignored, get_ignored},         handler_row{endpoint::post_ignored, post_ignored},
-    handler_row{endpoint::post_waypoints, post_waypoint},    handler_row{endpoint::post_tail, post_tail},
-    handler_row{endpoint::post_progress, post_progress},     handler_row{endpoint::get_assignments, get_assignments},
-    handler_row{endpoint::post_response, post_response},     handler_row{endpoint::get_progress, get_progress},
+    handler_row{endpoint::get_mission, get_mission},
+    handler_row{endpoint::delete_mission, remove_mission},
+    handler_row{endpoint::get_map_objects, get_map_objects},
+    handler_row{endpoint::post_map_objects, post_map_objects},
+    handler_row{endpoint::get_ignored, get_ignored},
+    handler_row{endpoint::post_ignored, post_ignored},
+    handler_row{endpoint::post_waypoints, post_waypoint},
+    handler_row{endpoint::post_tail, post_tail},
+    handler_row{endpoint::post_progress, post_progress},
+    handler_row{endpoint::get_assignments, get_assignments},
+    handler_row{endpoint::post_response, post_response},
+    handler_row{endpoint::get_progress, get_progress},
     handler_row{endpoint::get_next, get_next},
 };
 
@@ -91,7 +97,8 @@ outcome service::handle(const request& asked, std::int64_t now_ns, patience how_
   if (!given)
     given = not_json(asked);
   if (!given)
-    given = handler_of(to->where)(*file_, {.asked = asked, .to = *to, .mission = mission.value_or(mission_row{}), .now_ns = now_ns});
+    given = handler_of(to->where)(
+        *file_, {.asked = asked, .to = *to, .mission = mission.value_or(mission_row{}), .now_ns = now_ns});
   if (file_->has_failed()) {
     file_->rollback();
     return problem_answer(500, "The file of the service: " + file_->take_error());

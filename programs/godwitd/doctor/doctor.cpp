@@ -24,13 +24,14 @@ std::string text(const json& object, const char* key) { return object.at(key).ge
 bool has_source(const json& configuration) {
   const auto& mission = configuration.at("mission");
   return !text(mission, "file").empty() || !text(mission, "id").empty() ||
-         !text(configuration.at("ground"), "uri").empty();
+         !text(configuration.at("service"), "vehicle").empty() || !text(configuration.at("ground"), "uri").empty();
 }
 
 void examine_configuration(const json& configuration, findings& to) {
   if (!has_source(configuration)) {
-    to.push_back({grade::warning, "missions", "No source of missions is set.",
-                  "Use --mission FILE, --service URL with --mission-id, or --ground URI for ground stations."});
+    to.push_back(
+        {grade::warning, "missions", "No source of missions is set.",
+         "Use --mission FILE, --service URL with --mission-id or --vehicle-id, or --ground URI for ground stations."});
     return;
   }
   if (text(configuration.at("vehicle"), "uri").empty())

@@ -225,9 +225,8 @@ TEST_P(service_behind_a_landing, deleted_in_flight_the_landing_on_the_way_is_not
 }
 
 TEST_P(service_behind_a_landing, deleted_at_a_landing_on_the_way_it_is_not_flown_on_where_it_is_set_to_return) {
-  flight_world world({.who = GetParam(),
-                      .takeoff_again = start_policy::automatic,
-                      .deleted_mission = deletion_policy::come_home});
+  flight_world world(
+      {.who = GetParam(), .takeoff_again = start_policy::automatic, .deleted_mission = deletion_policy::come_home});
   ASSERT_TRUE(lands_on_the_way(world)) << world.story();
   world.delete_mission(tests::with_landing_on_the_way().mission_id);
   EXPECT_TRUE(has_said(world, "it is not flown any more")) << world.story();

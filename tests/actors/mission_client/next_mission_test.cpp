@@ -149,12 +149,17 @@ TEST_P(bad_next, is_a_sentence_and_asked_for_again_within_bounds) {
 
 INSTANTIATE_TEST_SUITE_P(
     each, bad_next,
-    testing::Values(bad_answer_row{"unknown_vehicle", {.what = fault::none}, "bird-2", "knows no vehicle \"bird-1\"", false},
-                    bad_answer_row{"conflict", {.where = "/next", .what = fault::status_answer, .status = 409}, "bird-1", "409", false},
-                    bad_answer_row{"forbidden", {.where = "/next", .what = fault::status_answer, .status = 403}, "bird-1", "403", true},
-                    bad_answer_row{"unavailable", {.where = "/next", .what = fault::status_answer, .status = 503}, "bird-1", "503", false},
-                    bad_answer_row{"malformed", {.where = "/next", .what = fault::cut_answer}, "bird-1", "names no next mission", false},
-                    bad_answer_row{"silence", {.where = "/next", .what = fault::silence}, "bird-1", "no byte", false}),
+    testing::Values(
+        bad_answer_row{"unknown_vehicle", {.what = fault::none}, "bird-2", "knows no vehicle \"bird-1\"", false},
+        bad_answer_row{
+            "conflict", {.where = "/next", .what = fault::status_answer, .status = 409}, "bird-1", "409", false},
+        bad_answer_row{
+            "forbidden", {.where = "/next", .what = fault::status_answer, .status = 403}, "bird-1", "403", true},
+        bad_answer_row{
+            "unavailable", {.where = "/next", .what = fault::status_answer, .status = 503}, "bird-1", "503", false},
+        bad_answer_row{
+            "malformed", {.where = "/next", .what = fault::cut_answer}, "bird-1", "names no next mission", false},
+        bad_answer_row{"silence", {.where = "/next", .what = fault::silence}, "bird-1", "no byte", false}),
     [](const auto& each) { return std::string(each.param.name); });
 
 TEST(next_mission, one_that_is_over_on_board_is_not_begun_again_and_said_to_be_so) {

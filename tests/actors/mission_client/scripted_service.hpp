@@ -95,13 +95,13 @@ public:
   std::map<std::string, service_mission> missions;
   std::vector<planned_fault> faults;
   std::int64_t latency_ns = 20'000'000;
-  std::uint32_t page_rows = 1'000'000; // of a page at most, beside what is asked for
-  std::int32_t numbers_by = 1;         // a change raises the revision by so much: others have changed it, too
-  bool knows_progress_call = true;     // GET .../progress; an older service does not
+  std::uint32_t page_rows = 1'000'000;    // of a page at most, beside what is asked for
+  std::int32_t numbers_by = 1;            // a change raises the revision by so much: others have changed it, too
+  bool knows_progress_call = true;        // GET .../progress; an older service does not
   std::vector<std::string> next_missions; // missions of `vehicle`, which is given the first that has not ended
   std::string vehicle = "bird-1";
-  std::string answers_for; // another vehicle; empty: for who asks
-  std::set<std::string> poison;        // ids of observations that it will never take
+  std::string answers_for;      // another vehicle; empty: for who asks
+  std::set<std::string> poison; // ids of observations that it will never take
 
   // What was seen.
   std::map<std::string, int> calls; // by "GET /missions/ID/..." without the query

@@ -52,6 +52,25 @@ TEST(daemon_settings, what_is_wrong_is_blamed_on_its_option) {
   expect_blames("mission", {{"mission", "survey.plan"}});
 }
 
+TEST(daemon_settings, without_a_mission_the_next_ones_of_a_named_vehicle_are_asked_for) {
+  const auto with = [](const given_texts& more) {
+    auto options = usual();
+    options.erase("mission-id");
+    options["vehicle-id"] = "bird-1";
+    options.insert(more.begin(), more.end());
+    return settings(options);
+  };
+  const auto all = with({});
+  ASSERT_TRUE(all) << all.error();
+  EXPECT_TRUE(all->flight.asks_next());
+  EXPECT_EQ(all->flight.vehicle_id, "bird-1");
+  EXPECT_FALSE(settings(usual())->flight.asks_next());
+  EXPECT_FALSE(with({{"mission-id", id}})->flight.asks_next()) << "one mission is named";
+  EXPECT_FALSE(with({{"ground-run", "true"}}));
+  EXPECT_FALSE(with({{"sightings", "-"}}));
+  expect_blames("vehicle-id", {{"vehicle-id", "bird 1/2"}});
+}
+
 TEST(daemon_settings, a_token_does_not_go_to_another_computer_in_clear) {
   expect_blames("service", {{"service", "http://example.org"}, {"token-file", "token"}});
 }

@@ -94,6 +94,7 @@ protected:
   behavior_type handlers() override {
     namespace mc = mission_client;
     return {on<mc::begin_mission>([this](const mc::begin_mission&) { ++log_->begins; }),
+            on<mc::begin_next>([](const mc::begin_next&) { FAIL() << "a ground run has its mission"; }),
             on<mc::pull_map>([](const mc::pull_map&) {}),
             on<mc::accept_copy>([](const mc::accept_copy&) {}),
             on<mc::push_map>([this](const mc::push_map& m) {

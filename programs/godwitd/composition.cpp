@@ -71,8 +71,8 @@ void composition::add_actors() {
   };
   if (wanted_.allow_crash)
     of_desk.crash = [&actors](const std::string& name) { return actors.kill_child(name); };
-  request_handler_ =
-      actors.add<control::request_handler>({.name = "control_desk"}, replaceable, of_desk, control_answers_);
+  request_handler_ = actors.add<control::request_handler>(
+      {.name = name(child_name::control_desk)}, policy_of(child_name::control_desk), of_desk, control_answers_);
 }
 
 void composition::surround_views() {
@@ -91,9 +91,9 @@ void composition::surround_views() {
 
 void composition::add_ground_run(control::peers& of_desk) {
   const auto of_run = std::make_shared<ground_run::peers>();
-  run_ =
-      host_->actors().add<ground_run::actor>({.name = "ground_run"}, essential, settings_of_run(),
-                                             std::shared_ptr<const ground_run::peers>(of_run), feed_, world_of_run());
+  run_ = host_->actors().add<ground_run::actor>(
+      {.name = name(child_name::ground_run)}, policy_of(child_name::ground_run), settings_of_run(),
+      std::shared_ptr<const ground_run::peers>(of_run), feed_, world_of_run());
   of_run->store = base_.store;
   of_run->vehicle = base_.vehicle;
   if (service_)

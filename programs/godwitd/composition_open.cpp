@@ -30,8 +30,7 @@ tl::expected<void, std::string> composition::open() {
   if (service_) // before the first call can be answered
     service_->attach(host_->actors().make_gateway("missions_service"), base_.client);
   using executor::supervision::part;
-  if (wanted_.flies)
-    begin_supervision(host_->actors(), outside_.process, is_in_flight() ? part::flight : part::ground);
+  begin_supervision(host_->actors(), outside_.process, is_in_flight() ? part::flight : part::ground);
   tell_open_lines();
   if (broker_)
     broker_->attach(host_->actors().make_gateway("broker_port"), views_.fleet);

@@ -24,11 +24,11 @@ namespace godwit::daemon {
 
 namespace {
 
-constexpr const char* executor_name = "executor";
-constexpr const char* failsafe_name = "failsafe";
-constexpr const char* scan_name = "scan_controller";
-constexpr const char* feeder_name = "sightings";
-constexpr const char* eyes_name = "movement_detector";
+constexpr auto executor_name = io::name_of(child_name::executor);
+constexpr auto failsafe_name = io::name_of(child_name::failsafe);
+constexpr auto scan_name = io::name_of(child_name::scan_controller);
+constexpr auto feeder_name = io::name_of(child_name::sightings);
+constexpr auto eyes_name = io::name_of(child_name::movement_detector);
 
 executor::host_status read_host_status(const actor_surroundings& outside, const operator_bridge::presence& operators) {
   executor::host_status result;
@@ -83,7 +83,8 @@ ground_port::settings settings_of_ground(const daemon_settings& settings) {
 void add_scan(runtime::system& actors, const daemon_settings& settings, const actor_surroundings& outside,
               const base_actors& base, flight_actors& made) {
   const auto of_scan = std::make_shared<scan_controller::peers>();
-  made.scan = actors.add<scan_controller::actor>({.name = scan_name}, replaceable, settings.scan,
+  made.scan = actors.add<scan_controller::actor>({.name = name(child_name::scan_controller)},
+                                                 policy_of(child_name::scan_controller), settings.scan,
                                                  std::shared_ptr<const scan_controller::peers>(of_scan), outside.seed);
   made.of_scan = of_scan;
   of_scan->map = base.store;
@@ -93,16 +94,18 @@ void add_scan(runtime::system& actors, const daemon_settings& settings, const ac
   };
   base.of_vehicle->add(made.scan);
   made.feeder = actors.add<sightings::feeder>(
-      {.name = feeder_name}, replaceable, sightings::feeder_settings{settings.mission_id, outside.service == nullptr},
-      sightings::store_handle(base.store), scan_controller::candidate_handle(made.scan), outside.sightings,
-      outside.point_pictures, [&outside](const std::string& sentence) { outside.say(feeder_name, sentence, true); });
+      {.name = name(child_name::sightings)}, policy_of(child_name::sightings),
+      sightings::feeder_settings{settings.mission_id, outside.service == nullptr}, sightings::store_handle(base.store),
+      scan_controller::candidate_handle(made.scan), outside.sightings, outside.point_pictures,
+      [&outside](const std::string& sentence) { outside.say(feeder_name, sentence, true); });
 }
 
 void add_eyes(runtime::system& actors, const daemon_settings& settings, const actor_surroundings& outside,
               const base_actors& base, flight_actors& made) {
   const auto of_eyes = std::make_shared<movement_detector::peers>();
   made.eyes = actors.add<movement_detector::actor>(
-      {.name = eyes_name, .policy = runtime::on_crash::lose}, replaceable, *settings.camera,
+      {.name = name(child_name::movement_detector), .policy = runtime::on_crash::lose},
+      policy_of(child_name::movement_detector), *settings.camera,
       std::shared_ptr<const movement_detector::peers>(of_eyes), outside.eyes, outside.seed);
   of_eyes->sightings = made.feeder;
   of_eyes->scan = made.scan;
@@ -136,21 +139,23 @@ base_actors add_base(runtime::system& actors, const daemon_settings& settings, c
   link.watch.heartbeats_to_begin = heartbeats_to_begin(settings.vehicle, is_signed);
   link.open_line = open_line_warning(settings.vehicle, is_signed, "--signing-key");
   if (settings.flies)
-    link.deciders = {executor_name, failsafe_name};
+    link.deciders = {name(child_name::executor), name(child_name::failsafe)};
   const auto& ping = settings.process.actors.ping;
   link.alive_lasts_ms = std::max(ping.warn, 2 * ping.period).count();
-  made.vehicle =
-      actors.add<vehicle_link::actor>({.name = "vehicle_link"}, essential, link, outside.vehicle_signing,
-                                      outside.vehicle, std::shared_ptr<const vehicle_link::listeners>(made.of_vehicle));
+  made.vehicle = actors.add<vehicle_link::actor>(
+      {.name = name(child_name::vehicle_link)}, policy_of(child_name::vehicle_link), link, outside.vehicle_signing,
+      outside.vehicle, std::shared_ptr<const vehicle_link::listeners>(made.of_vehicle));
   actors.tell_who_lives(made.vehicle, link.deciders);
   if (settings.flies)
-    made.failsafe = actors.add<failsafe::actor>({.name = failsafe_name}, essential, settings.failsafe, made.vehicle,
+    made.failsafe = actors.add<failsafe::actor>({.name = name(child_name::failsafe)}, policy_of(child_name::failsafe),
+                                                settings.failsafe, made.vehicle,
                                                 std::shared_ptr<const failsafe::peers>(made.of_failsafe));
-  made.store = actors.add<mapobjects_store::actor>({.name = "mapobjects_store"}, replaceable, outside.map);
+  made.store = actors.add<mapobjects_store::actor>({.name = name(child_name::mapobjects_store)},
+                                                   policy_of(child_name::mapobjects_store), outside.map);
   if (outside.service)
-    made.client =
-        actors.add<mission_client::actor>({.name = "mission_client"}, replaceable, settings.client, outside.service,
-                                          std::shared_ptr<const mission_client::peers>(made.of_client), outside.seed);
+    made.client = actors.add<mission_client::actor>(
+        {.name = name(child_name::mission_client)}, policy_of(child_name::mission_client), settings.client,
+        outside.service, std::shared_ptr<const mission_client::peers>(made.of_client), outside.seed);
   made.of_client->map = made.store;
   return made;
 }
@@ -163,13 +168,13 @@ flight_actors add_flight(runtime::system& actors, const daemon_settings& setting
   const auto operators = std::make_shared<operator_bridge::presence>();
   std::vector<operator_bridge::control_listener> of_control;
   const auto of_ground = std::make_shared<ground_port::peers>();
-  made.executor = actors.add<executor::actor>({.name = executor_name}, essential, settings.flight,
-                                              std::shared_ptr<const executor::peers>(of_executor),
+  made.executor = actors.add<executor::actor>({.name = name(child_name::executor)}, policy_of(child_name::executor),
+                                              settings.flight, std::shared_ptr<const executor::peers>(of_executor),
                                               world_of(actors, outside, operators));
   if (outside.ground) {
-    made.ground = actors.add<ground_port::actor>({.name = "ground_port"}, replaceable, settings_of_ground(settings),
-                                                 outside.ground_signing, outside.ground,
-                                                 std::shared_ptr<const ground_port::peers>(of_ground));
+    made.ground = actors.add<ground_port::actor>(
+        {.name = name(child_name::ground_port)}, policy_of(child_name::ground_port), settings_of_ground(settings),
+        outside.ground_signing, outside.ground, std::shared_ptr<const ground_port::peers>(of_ground));
     of_executor->port = made.ground;
     of_control.emplace_back(made.ground);
     of_ground->executor = made.executor;
@@ -179,7 +184,8 @@ flight_actors add_flight(runtime::system& actors, const daemon_settings& setting
     base.of_failsafe->people.emplace_back(made.ground);
     base.of_vehicle->add(made.ground);
   }
-  made.bridge = actors.add<operator_bridge::actor>({.name = "operator_bridge"}, replaceable, settings.sessions,
+  made.bridge = actors.add<operator_bridge::actor>({.name = name(child_name::operator_bridge)},
+                                                   policy_of(child_name::operator_bridge), settings.sessions,
                                                    made.executor, operators, of_control, outside.session_ends,
                                                    std::vector<operator_bridge::holder_ear>{base.failsafe});
   of_ground->bridge = made.bridge;
@@ -203,8 +209,8 @@ flight_actors add_flight(runtime::system& actors, const daemon_settings& setting
   base.of_vehicle->add(base.failsafe);
   base.of_vehicle->add(made.executor);
   base.of_vehicle->add(actors.add<landing_watch::actor>(
-      {.name = "landing_watch"}, replaceable, actors.guardian(), std::string(executor_name),
-      landing_watch::process_end([&actors](const std::string& why) {
+      {.name = name(child_name::landing_watch)}, policy_of(child_name::landing_watch), actors.guardian(),
+      name(child_name::executor), landing_watch::process_end([&actors](const std::string& why) {
         actors.request_exit({runtime::exit_cause::essential_given_up, why});
       })));
   return made;

@@ -73,6 +73,8 @@ struct peers;
 
 namespace godwit::daemon {
 
+using executor::supervision::child_name;
+
 // What the actors meet of the world.
 struct actor_surroundings {
   // -- ports; they outlive the incarnations of their actors
@@ -128,7 +130,8 @@ struct flight_actors {
 };
 
 // The table that holds until the executor has sent its own: from it on an essential actor that can not be kept up is
-// met as its part of the flight demands. Behind the last add(), before the actors start.
+// met as its part of the flight demands. In a run on the ground nobody sends another. After the last add(), before the
+// actors start.
 void begin_supervision(runtime::system& actors, const executor::supervision::circumstances& process,
                        executor::supervision::part now);
 
@@ -144,10 +147,5 @@ void begin_supervision(runtime::system& actors, const executor::supervision::cir
 
 // EXECUTOR: what the journal has of it. What can not be read is no flight; the executor says why.
 [[nodiscard]] bool is_in_flight(const runtime::recovered& executor);
-
-// How godwitd's actors are supervised: without an essential one the process ends, so that the service manager starts a
-// new one. Thread: constants.
-inline constexpr runtime::child_policy essential{.essential = true, .restart = {}};
-inline constexpr runtime::child_policy replaceable{};
 
 } // namespace godwit::daemon

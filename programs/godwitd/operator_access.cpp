@@ -38,11 +38,11 @@ operator_port::route_list camera_routes(const operator_access::sources& from, co
 void operator_access::add_desks(runtime::system& actors, const daemon_settings& wanted, const base_actors& base,
                                 const flight_actors& flight,
                                 std::function<std::vector<std::uint64_t>()> pictured_points, audit_source audit) {
-  desk_ =
-      actors.add<operator_port::operator_desk>({.name = "operator_desk"}, replaceable,
-                                               operator_port::desk_peers{flight.bridge, flight.scan, base.failsafe,
-                                                                         std::move(pictured_points), std::move(audit)},
-                                               answers_);
+  desk_ = actors.add<operator_port::operator_desk>(
+      {.name = name(child_name::operator_desk)}, policy_of(child_name::operator_desk),
+      operator_port::desk_peers{flight.bridge, flight.scan, base.failsafe, std::move(pictured_points),
+                                std::move(audit)},
+      answers_);
   page_desks_ = add_page_desks(actors, wanted, base, flight, answers_);
 }
 
@@ -157,11 +157,11 @@ std::string why_no_missions(const daemon_settings& settings) {
 page_desks add_page_desks(runtime::system& actors, const daemon_settings& settings, const base_actors& base,
                           const flight_actors& flight, const answers_ptr& answers) {
   page_desks made;
-  made.views = actors.add<operator_port::view_desk>({.name = "view_desk", .policy = runtime::on_crash::lose},
-                                                    replaceable, executor::view_handle(flight.executor),
-                                                    mapobjects_store::viewer_handle(base.store), answers);
+  made.views = actors.add<operator_port::view_desk>(
+      {.name = name(child_name::view_desk), .policy = runtime::on_crash::lose}, policy_of(child_name::view_desk),
+      executor::view_handle(flight.executor), mapobjects_store::viewer_handle(base.store), answers);
   made.missions = actors.add<operator_port::mission_desk>(
-      {.name = "mission_desk", .policy = runtime::on_crash::lose}, replaceable,
+      {.name = name(child_name::mission_desk), .policy = runtime::on_crash::lose}, policy_of(child_name::mission_desk),
       operator_port::mission_peers{flight.bridge, flight.executor, flight.executor}, answers,
       why_no_missions(settings));
   made.allowed_commands = settings.allowed_commands;

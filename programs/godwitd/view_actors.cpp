@@ -20,9 +20,10 @@ telemetry_stream::own_handle add_stream(runtime::system& actors, const view_surr
   of_stream->missions = flight.executor;
   of_stream->points = flight.scan;
   of_stream->pictured = outside.pictured_points;
-  auto made =
-      actors.add<telemetry_stream::actor>({.name = "telemetry_stream", .policy = runtime::on_crash::lose}, replaceable,
-                                          std::shared_ptr<const telemetry_stream::peers>(of_stream), outside.stream);
+  auto made = actors.add<telemetry_stream::actor>(
+      {.name = name(child_name::telemetry_stream), .policy = runtime::on_crash::lose},
+      policy_of(child_name::telemetry_stream), std::shared_ptr<const telemetry_stream::peers>(of_stream),
+      outside.stream);
   base.of_vehicle->add(made);
   if (flight.of_executor) {
     flight.of_executor->watchers.emplace_back(made);
@@ -41,9 +42,9 @@ fleet_link::own_handle add_fleet(runtime::system& actors, const view_surrounding
   of_fleet->guardian = actors.guardian();
   of_fleet->open_live = [hub = outside.stream] { return hub_reader::open(hub); };
   of_fleet->say = outside.fleet->say;
-  auto made = actors.add<fleet_link::actor>({.name = "fleet_link"}, replaceable, outside.fleet->how,
-                                            std::shared_ptr<const fleet_link::peers>(of_fleet), outside.fleet->port,
-                                            outside.fleet->process);
+  auto made = actors.add<fleet_link::actor>({.name = name(child_name::fleet_link)}, policy_of(child_name::fleet_link),
+                                            outside.fleet->how, std::shared_ptr<const fleet_link::peers>(of_fleet),
+                                            outside.fleet->port, outside.fleet->process);
   if (flight.of_executor)
     flight.of_executor->watchers.emplace_back(made);
   if (flight.of_scan)
@@ -75,9 +76,9 @@ view_actors add_views(runtime::system& actors, const view_surroundings& outside,
     of_health->listeners.emplace_back(made.fleet);
     of_health->fleet = made.fleet;
   }
-  made.health = actors.add<health::actor>({.name = "health", .policy = runtime::on_crash::lose}, replaceable,
-                                          std::shared_ptr<const health::peers>(of_health),
-                                          health::outside_world{outside.read_host}, outside.reports);
+  made.health = actors.add<health::actor>(
+      {.name = name(child_name::health), .policy = runtime::on_crash::lose}, policy_of(child_name::health),
+      std::shared_ptr<const health::peers>(of_health), health::outside_world{outside.read_host}, outside.reports);
   return made;
 }
 

@@ -134,7 +134,7 @@ std::vector<preflight::actor_fact> core::facts() const {
 }
 
 bool core::is_failsafe_gone(std::int64_t now_ns) const {
-  const auto found = std::ranges::find(children_, "failsafe", &child::name);
+  const auto found = std::ranges::find(children_, name(child_name::failsafe), &child::name);
   return now() == part::flight && found != children_.end() && found->given_up_ns &&
          now_ns - *found->given_up_ns >= gone_holds_ns;
 }

@@ -1,6 +1,5 @@
 #include "actors/executor/supervision/table.hpp"
 
-#include <algorithm>
 #include <array>
 
 namespace godwit::executor::supervision {
@@ -9,34 +8,57 @@ namespace {
 enum class need { wanted, essential, away, for_scans };
 
 struct row {
-  std::string_view child;
-  std::array<need, 3> in; // by part
+  child_name child = child_name::vehicle_link;
+  std::array<need, 3> in{}; // by part
   bool runs_reduced = false;
-  bool is_for_ever = false; // restarted, once the process may not end because of it
+  bool is_for_ever = false;    // restarted, once the process may not end because of it
+  bool is_dispensable = false; // no flight waits for it
 };
 
 using enum need;
+using enum child_name;
+
+constexpr std::array always{wanted, wanted, wanted};
+constexpr std::array needed_always{essential, essential, essential};
+constexpr std::array for_surveys{away, for_scans, away};
 
 constexpr std::array rows{
-    row{"vehicle_link", {essential, essential, essential}, true, true},
-    row{"failsafe", {essential, essential, essential}, true},
-    row{"executor", {essential, essential, essential}, true},
-    row{"mission_client", {wanted, wanted, essential}},
-    row{"ground_port", {wanted, wanted, wanted}, true},
-    row{"operator_bridge", {wanted, wanted, wanted}, true},
-    row{"landing_watch", {wanted, wanted, wanted}, true},
-    row{"scan_controller", {away, for_scans, away}},
-    row{"movement_detector", {away, for_scans, away}},
+    row{vehicle_link, needed_always, true, true},
+    row{failsafe, needed_always, true},
+    row{executor, needed_always, true},
+    row{mission_client, {wanted, wanted, essential}},
+    row{mapobjects_store, always},
+    row{ground_port, always, true},
+    row{operator_bridge, always, true},
+    row{landing_watch, always, true},
+    row{sightings, always},
+    row{scan_controller, for_surveys},
+    row{movement_detector, for_surveys},
+    // who shows what there is, also far away, and who takes a mission from a page
+    row{health, always, false, false, true},
+    row{telemetry_stream, always, false, false, true},
+    row{fleet_link, always, false, false, true},
+    row{view_desk, always, false, false, true},
+    row{mission_desk, always, false, false, true},
+    row{operator_desk, always},
+    row{control_desk, always},
+    row{ground_run, {essential, wanted, wanted}},
 };
-// Who shows what there is, also far away, and who takes a mission from a page.
-constexpr std::array<std::string_view, 5> dispensable{"health", "telemetry_stream", "fleet_link", "view_desk",
-                                                      "mission_desk"};
 
-constexpr row others{"", {wanted, wanted, wanted}};
+constexpr bool is_whole_and_in_order() {
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (static_cast<std::size_t>(rows[i].child) != i)
+      return false;
+  return rows.size() == io::enum_table<child_name>.size();
+}
+static_assert(is_whole_and_in_order(), "each child has its row");
+
+// Of a process that is none of godwitd's.
+constexpr row others{.in = always};
 
 const row& row_of(std::string_view child) {
-  const auto* const found = std::ranges::find(rows, child, &row::child);
-  return found == rows.end() ? others : *found;
+  const auto found = io::value_of<child_name>(child);
+  return found ? rows[static_cast<std::size_t>(*found)] : others;
 }
 
 runtime::child_entry entry_of(const std::string& child, part now, const circumstances& process, bool scans) {
@@ -66,7 +88,13 @@ std::vector<runtime::child_entry> table_of(part now, const circumstances& proces
   return result;
 }
 
-bool is_dispensable(std::string_view child) { return std::ranges::find(dispensable, child) != dispensable.end(); }
+runtime::child_policy policy_of(child_name child) {
+  const bool is_essential =
+      rows[static_cast<std::size_t>(child)].in[static_cast<std::size_t>(part::ground)] == essential;
+  return {.essential = is_essential, .restart = {}};
+}
+
+bool is_dispensable(std::string_view child) { return row_of(child).is_dispensable; }
 
 bool is_wanted_on_ground(std::string_view child) {
   return row_of(child).in[static_cast<std::size_t>(part::ground)] != away;
@@ -76,7 +104,7 @@ std::vector<std::string> floor_children() {
   std::vector<std::string> result;
   for (const auto& each : rows)
     if (each.in[static_cast<std::size_t>(part::flight)] == essential)
-      result.emplace_back(each.child);
+      result.push_back(name(each.child));
   return result;
 }
 

@@ -9,6 +9,7 @@
 //   mission_client           wanted      wanted *    essential: it delivers what is owed
 //   scan_controller          -           scans *     -            only while a mission with scanning is flown
 //   movement_detector        -           scans *     -            the same
+//   ground_run               essential   -           -            a run on the ground is supervised by the first column
 //   others                   wanted      wanted *    wanted       * not in a reduced process
 //   health, telemetry_stream, fleet_link   the same; no flight waits for them: they only show
 //
@@ -21,6 +22,7 @@
 #include <string_view>
 #include <vector>
 
+#include "actors/executor/supervision/child_name.hpp"
 #include "actors/executor/supervision/part.hpp"
 #include "io/fields/field_table.hpp"
 #include "runtime/supervision/messages.hpp"
@@ -45,6 +47,9 @@ struct own_process {
 // mission with scanning.
 [[nodiscard]] std::vector<runtime::child_entry> table_of(part now, const circumstances& process,
                                                          const std::vector<std::string>& children, bool scans);
+
+// With which a child is added: that of the ground, until a table holds.
+[[nodiscard]] runtime::child_policy policy_of(child_name child);
 
 [[nodiscard]] bool is_wanted_on_ground(std::string_view child);
 

@@ -41,6 +41,31 @@ TEST(supervision_table, what_flies_is_wanted_and_essential_in_each_part) {
     }
 }
 
+// As for what flies, and by the same table: what it runs with is there, and nobody asks for the rest.
+TEST(supervision_table, a_run_on_the_ground_needs_itself_and_its_vehicle) {
+  const std::vector<std::string> run{"vehicle_link", "mapobjects_store", "mission_client", "ground_run",
+                                     "control_desk"};
+  for (const auto& each : table_of(part::ground, {}, run, false)) {
+    EXPECT_TRUE(each.wanted) << each.name;
+    EXPECT_EQ(each.policy.essential, each.name == "ground_run" || each.name == "vehicle_link") << each.name;
+  }
+}
+
+TEST(supervision_table, a_child_is_added_with_what_the_table_says_on_the_ground) {
+  for (const auto& [which, text] : godwit::io::enum_table<child_name>) {
+    const auto entry = table_of(part::ground, {}, {std::string(text)}, false).front();
+    EXPECT_EQ(policy_of(which).essential, entry.policy.essential) << text;
+    EXPECT_EQ(policy_of(which).restart.intensity, entry.policy.restart.intensity) << text;
+    EXPECT_EQ(policy_of(which).end, entry.policy.end) << text;
+  }
+}
+
+TEST(supervision_table, only_who_shows_something_is_dispensable) {
+  const std::set<std::string> shows{"health", "telemetry_stream", "fleet_link", "view_desk", "mission_desk"};
+  for (const auto& [which, text] : godwit::io::enum_table<child_name>)
+    EXPECT_EQ(is_dispensable(text), shows.contains(std::string(text))) << text;
+}
+
 TEST(supervision_table, the_mission_client_is_essential_only_while_it_delivers_behind_a_flight) {
   EXPECT_FALSE(by_name(part::ground).at("mission_client").policy.essential);
   EXPECT_FALSE(by_name(part::flight).at("mission_client").policy.essential);

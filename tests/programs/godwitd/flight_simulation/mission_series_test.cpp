@@ -121,6 +121,24 @@ TEST_P(mission_series, twenty_in_a_row_with_thirty_kills_are_complete_and_their_
             << flight.now_ns() / 1'000'000'000 << " s of flight\n";
 }
 
+TEST_P(mission_series, behind_a_mission_that_was_called_off_the_next_waits_for_a_person_also_with_automatic) {
+  flight_simulation flight({.who = GetParam(), .takes_next = true});
+  const auto ids = add_missions(flight, 2);
+  ASSERT_TRUE(flight.run_until([&] { return flight.reports_of(ids[0]).size() >= 3; }, 120)) << flight.story();
+  flight.say(command_kind::come_home);
+  const auto is_next_ready = [&] {
+    return flight.status().now == phase::ready && flight.was_told("mission " + ids[1]);
+  };
+  ASSERT_TRUE(flight.run_until_phase(phase::aborted, 120)) << flight.story();
+  (void)flight.run_until(is_next_ready, 60);
+  ASSERT_EQ(flight.status().now, phase::ready) << flight.story();
+  const auto since_ns = flight.now_ns();
+  flight.run_for(60);
+  EXPECT_EQ(starts_since(flight, since_ns), 0) << flight.story();
+  EXPECT_TRUE(flight.reports_of(ids[1]).empty());
+  EXPECT_TRUE(fly(flight, ids[1], [] {})) << flight.story();
+}
+
 INSTANTIATE_TEST_SUITE_P(every_vehicle, mission_series,
                          testing::Values(sim::personality::px4, sim::personality::ardupilot, sim::personality::rover),
                          [](const auto& each) { return std::string(io::name_of(each.param)); });

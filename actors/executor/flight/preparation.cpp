@@ -167,7 +167,9 @@ bool preparation::take_arrived(effects& out) {
     out.emplace_back(note{arrival_refused{next.revision}});
     return true;
   }
-  out.emplace_back(note{mission_taken{next, {}, flight_.configured.asks_next() && flight_.was_called_off()}});
+  // Whoever has armed it since the last one may stand beside it.
+  const bool is_left_to_person = flight_.was_called_off() || flight_.view.is_armed();
+  out.emplace_back(note{mission_taken{next, {}, flight_.configured.asks_next() && is_left_to_person}});
   out.emplace_back(note{preflight::mission_changed{next.mission_id, next.revision}});
   phases_.go(out, trigger::mission_changed);
   return true;

@@ -139,8 +139,29 @@ TEST_P(mission_series, behind_a_mission_that_was_called_off_the_next_waits_for_a
   EXPECT_TRUE(fly(flight, ids[1], [] {})) << flight.story();
 }
 
+// An ArduPilot's copter is not armed in AUTO, in which its mission has left it.
+class armed_between_missions : public mission_series {};
+
+TEST_P(armed_between_missions, by_a_person_the_vehicle_is_not_started_by_the_next) {
+  flight_simulation flight({.who = GetParam(), .takes_next = true});
+  ASSERT_TRUE(flight.run_until_phase(phase::done, 300)) << flight.story();
+  flight.person().arm();
+  flight.run_for(1);
+  ASSERT_TRUE(flight.vehicle().describe().armed) << flight.story();
+  const auto since_ns = flight.now_ns();
+  const auto next = mission_of(GetParam(), 1);
+  flight.service().add_mission(next, flight.now_ns());
+  (void)flight.run_until([&] { return !flight.vehicle().describe().armed; }, 60); // some disarm by themselves
+  EXPECT_EQ(starts_since(flight, since_ns), 0) << flight.story();
+  EXPECT_TRUE(flight.reports_of(next.mission_id).empty());
+}
+
 INSTANTIATE_TEST_SUITE_P(every_vehicle, mission_series,
                          testing::Values(sim::personality::px4, sim::personality::ardupilot, sim::personality::rover),
+                         [](const auto& each) { return std::string(io::name_of(each.param)); });
+
+INSTANTIATE_TEST_SUITE_P(every_vehicle, armed_between_missions,
+                         testing::Values(sim::personality::px4, sim::personality::rover),
                          [](const auto& each) { return std::string(io::name_of(each.param)); });
 
 } // namespace mission_series_test

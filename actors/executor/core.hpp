@@ -7,9 +7,10 @@
 //                                               │       └──> notes: phase, task, progress ──> the journal
 //   MISSION_CURRENT, ITEM_REACHED ──> progress ─┘
 //
-// The core hands what comes in to its parts (flight/), and asks them in one order what is to be done (core.cpp, rules).
-// What must survive is noted, and applied to the durable state before the next call. So what is decided depends on the
-// durable state, on what the vehicle says, and on nothing else. The caller keeps what is to wait for the disk back.
+// The core hands what comes in to its parts (flight/), and asks them in one order what is to be done
+// (core_arbiter.cpp). What must survive is noted, and applied to the durable state before the next call. So what is
+// decided depends on the durable state, on what the vehicle says, and on nothing else. The caller keeps what is to wait
+// for the disk back.
 //
 // Rules that protect people, each with a test of its own name: a new incarnation looks at the vehicle before anything;
 // it arms, starts and takes off nothing; on the ground it waits for a person. A mode change in flight or during a start
@@ -23,7 +24,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -178,15 +181,27 @@ public:
   [[nodiscard]] std::string sentence() const { return flight_.sentence(); } // how the flight stands, for people
   [[nodiscard]] std::string_view authority() const { return authority_text(flight_); } // who has the vehicle
 
+  // Who is asked what is to be done, in this order. `ask`: true: something is under way, and the rest waits.
+  struct ruling {
+    std::string_view name;
+    bool (core::*ask)(effects&, instant) = nullptr;
+    std::string_view why; // it stands before those that follow
+  };
+  static constexpr std::size_t ruling_count = 18;
+  [[nodiscard]] static std::span<const ruling> arbiter();
+  // So often each kept the others waiting, in the order of the table.
+  using ruling_counts = std::array<std::uint32_t, ruling_count>;
+  [[nodiscard]] const ruling_counts& decided() const { return decided_; }
+
 private:
-  // True: something is under way, and the rest waits.
-  using rule = bool (core::*)(effects&, instant);
-  static const std::array<rule, 18> rules;
+  static const std::array<ruling, ruling_count> rulings;
 
   void note_of_mission(effects& out, const progress::event& what, instant now);
 
   [[nodiscard]] bool look(effects& out, instant now) { return recovery_.look(out, now); }
-  [[nodiscard]] bool heed(effects& out, instant now) { return watch_.heed(out, now) || flight_.pending.is_pending(); }
+  [[nodiscard]] bool judge_holder(effects& out, instant now) {
+    return watch_.heed(out, now) || flight_.pending.is_pending();
+  }
   [[nodiscard]] bool come_home(effects& out, instant now) { return homecoming_.advance(out, now); }
   [[nodiscard]] bool halt(effects& out, instant now) { return operators_.halt(out, now); }
   [[nodiscard]] bool resolve(effects& out, instant now) { return recovery_.resolve(out, now); }
@@ -234,6 +249,7 @@ private:
   plan_clearing clearing_{flight_, phases_};
   last_line last_line_{flight_, clearing_};
   gcs_view stations_{flight_, phases_, tasks_, watch_, clearing_};
+  ruling_counts decided_{};
   station_acts acts_{flight_, watch_, ground_, preparation_, operators_, arming_};
 };
 

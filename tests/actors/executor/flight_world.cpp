@@ -218,7 +218,14 @@ std::vector<executor::phase_machine::counts>& flight_world::all_transitions() {
   return result;
 }
 
+executor::core::ruling_counts& flight_world::all_decisions() {
+  static executor::core::ruling_counts result{};
+  return result;
+}
+
 void flight_world::end_core() {
+  for (std::size_t i = 0; i < all_decisions().size(); ++i)
+    all_decisions()[i] += core_->decided()[i];
   const auto& taken = core_->phases().taken();
   for (std::size_t row = 0; row < taken.size(); ++row)
     for (std::size_t from = 0; from < taken[row].size(); ++from)

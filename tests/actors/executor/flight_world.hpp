@@ -66,6 +66,9 @@ public:
   // Of all flights of this process that are over: so often each row of the phase table was taken, and from which phase.
   [[nodiscard]] static std::vector<executor::phase_machine::counts>& all_transitions();
 
+  // The same of who was asked and kept the others waiting.
+  [[nodiscard]] static executor::core::ruling_counts& all_decisions();
+
   explicit flight_world(const options& wanted);
   ~flight_world() { end_core(); }
 

@@ -1,8 +1,10 @@
-// Which rows of the phase table the flights of this run have taken, from which phase and how often. Listed with
-// TEST_COVERAGE=1, and then a row that was never taken is a failure: ctest runs all flights but the random ones so.
+// Which rows of the phase table the flights of this run have taken, from which phase and how often, and that each of
+// the arbiter has decided. Listed with TEST_COVERAGE=1, and then a row that was never taken is a failure: ctest runs
+// all flights but the random ones so.
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -19,9 +21,15 @@ public:
       return;
     for (std::size_t row = 0; row < phase_table().size(); ++row)
       list(phase_table()[row], tests::flight_world::all_transitions()[row]);
+    for (std::size_t i = 0; i < core::arbiter().size(); ++i)
+      EXPECT_TRUE(tests::flight_world::all_decisions()[i] > 0 || is_random(core::arbiter()[i].name))
+          << core::arbiter()[i].name << " never decides";
   }
 
 private:
+  // Somebody else starts our plan in the moment after it came: random flights meet it.
+  static bool is_random(std::string_view ruling) { return ruling == "follow_started"; }
+
   // The plan ends between two heartbeats, while something else is said: no flight by hand meets that moment, and random
   // ones seldom. phase_rows_test.cpp takes them.
   static bool is_moment(const transition& each) {

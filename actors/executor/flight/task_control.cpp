@@ -5,6 +5,7 @@
 #include "actors/domain/uuid/uuid.hpp"
 #include "actors/executor/flight/mission_list.hpp"
 #include "actors/executor/flight/vehicle_steps.hpp"
+#include "actors/executor/remaining.hpp"
 #include "io/mavlink/plan_meaning.hpp"
 
 namespace godwit::executor {

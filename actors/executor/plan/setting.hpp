@@ -8,6 +8,7 @@
 #include "actors/domain/mission/commands/command_table.hpp"
 #include "io/fields/field_table.hpp"
 #include "io/mavlink/enums/vehicle.hpp"
+#include "io/mavlink/messages/mission_transfer.hpp"
 #include "messages/flight/home_place.hpp"
 #include "messages/flight/vehicle_class.hpp"
 #include "messages/mission/place.hpp"

@@ -1,5 +1,7 @@
 #include "actors/executor/progress/core.hpp"
 
+#include <algorithm>
+
 #include "actors/executor/progress/acts.hpp"
 #include "actors/executor/progress/decision_context.hpp"
 #include "actors/executor/progress/follow.hpp"

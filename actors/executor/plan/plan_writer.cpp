@@ -214,9 +214,10 @@ void plan_writer::end_survey() {
 void plan_writer::go(leg_kind kind, const mission::position& to) {
   if (!std::exchange(skips_leg_, false))
     plan_.legs.push_back({kind, here_, to, item_index()});
+  constexpr double most_pictures = 1e6; // of a leg; a trigger by the micrometre is nonsense, and flown all the same
   if (trigger_m_ > 0 && kind == leg_kind::cruise && !plan_.map.items.empty())
-    plan_.map.items.back().pictures +=
-        static_cast<std::uint32_t>(geo::distance_m(point_of(here_), point_of(to)) / trigger_m_);
+    plan_.map.items.back().pictures += static_cast<std::uint32_t>(
+        std::min(most_pictures, geo::distance_m(point_of(here_), point_of(to)) / trigger_m_));
   here_ = to;
 }
 

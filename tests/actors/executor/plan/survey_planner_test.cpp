@@ -40,6 +40,11 @@ TEST(survey_planner, pictures_are_taken_on_the_lines_and_not_between_them) {
   EXPECT_EQ(plan.map.items[1].pictures, 60U);
 }
 
+TEST(survey_planner, a_trigger_by_the_micrometre_is_flown_and_counted_to_a_bound) {
+  const auto plan = plan_of(survey_with({{1e-9, {}}, {}, 0}), px4_copter);
+  EXPECT_EQ(plan.map.items.at(1).pictures, 3'000'000U);
+}
+
 TEST(survey_planner, pictures_by_time_are_begun_and_ended_by_the_camera) {
   const auto plan = plan_of(survey_with({{{}, 2}, {}, 0}), ardupilot_copter);
   ASSERT_GE(plan.items.size(), 6U);

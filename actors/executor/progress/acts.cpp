@@ -163,7 +163,8 @@ void adopt_early_picture(decision_context& t) {
     return count_early_picture(g);
   const auto early = *std::exchange(g.early, std::nullopt);
   g.acts.push_back({*act, act_outcome::confirmed, early.index});
-  count_pictures(g.pictures, early.index - 1, early.count - 1);
+  if (early.count > 1)
+    count_pictures(g.pictures, early.index - 1, early.count - 1);
 }
 
 bool awaits_outcome(const followed_plan& plan, std::uint32_t position) {

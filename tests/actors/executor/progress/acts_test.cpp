@@ -1,6 +1,8 @@
 // What became of an act, and the pictures of a line.
 #include "actors/executor/progress/acts.hpp"
 
+#include <cstdint>
+
 #include <gtest/gtest.h>
 
 #include "tests/actors/executor/progress/progress_fixture.hpp"
@@ -136,6 +138,18 @@ TEST_F(acts, a_picture_just_before_reached_is_that_of_the_place) {
   d.reached(0);
   d.current(2);
   EXPECT_EQ(d.said(), (texts{"reached A#0 g1", "passed photo#1 g1 confirmed pictures 1: 7 to 7", "started C#2 g1"}));
+}
+
+TEST_F(acts, a_picture_may_have_any_number) {
+  auto map = map_of(d.vehicle, {"A", "photo", "C"});
+  make_act(map, 1, act_kind::picture);
+  fly(map);
+  d.take(picture_told{INT32_MAX});
+  d.take(picture_told{INT32_MIN});
+  d.reached(0);
+  EXPECT_EQ(d.said(), texts{"reached A#0 g1 pictures 1: 2147483647 to 2147483647"});
+  d.current(2);
+  EXPECT_EQ(d.said(), (texts{"passed photo#1 g1 confirmed pictures 1: -2147483648 to -2147483648", "started C#2 g1"}));
 }
 
 TEST_F(acts, a_picture_that_was_not_taken_has_failed) {

@@ -12,17 +12,14 @@
 
 namespace godwit::mission_client {
 
-class asking_next final : public part {
+class asking_next final : public blockable_part {
 public:
   void plan(planning_context& d) override;
   void on_answer(planning_context& d, ticket number, const service_answer& answer) override;
-  void free() { is_blocked_ = false; }
-  [[nodiscard]] bool is_blocked() const { return is_blocked_; }
 
 private:
   attempt attempt_;
   std::int64_t started_ns_ = 0;
-  bool is_blocked_ = false; // not allowed
 };
 
 } // namespace godwit::mission_client

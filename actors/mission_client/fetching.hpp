@@ -50,32 +50,26 @@ private:
 
 // The same of a mission with which a journal goes on: it may be an older one than the reports of the service. Somebody
 // may fly, so there is no end to the tries.
-class asking_progress final : public part {
+class asking_progress final : public blockable_part {
 public:
   void plan(planning_context& d) override;
   void on_answer(planning_context& d, ticket number, const service_answer& answer) override;
-  void free() { is_blocked_ = false; }
-  [[nodiscard]] bool is_blocked() const { return is_blocked_; }
 
 private:
   void fail(planning_context& d, const std::string& why, const service_answer& answer);
 
   attempt attempt_;
-  std::string mission_id_;  // empty: nothing is asked
-  bool is_blocked_ = false; // not allowed
+  std::string mission_id_; // empty: nothing is asked
 };
 
-class looking_up final : public part {
+class looking_up final : public blockable_part {
 public:
   void plan(planning_context& d) override;
   void on_answer(planning_context& d, ticket number, const service_answer& answer) override;
-  void free() { is_blocked_ = false; }
-  [[nodiscard]] bool is_blocked() const { return is_blocked_; }
 
 private:
   attempt attempt_;
   std::string mission_id_;
-  bool is_blocked_ = false; // not allowed
 };
 
 } // namespace godwit::mission_client

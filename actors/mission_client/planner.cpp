@@ -58,10 +58,9 @@ void planner::on_disk(const mission_client::on_disk& news) {
   if (!news.frees_lanes)
     return;
   deliveries_.free();
-  polling_.free();
-  looking_up_.free();
-  asking_progress_.free();
-  asking_next_.free();
+  for (blockable_part* each :
+       std::initializer_list<blockable_part*>{&polling_, &looking_up_, &asking_progress_, &asking_next_})
+    each->free();
 }
 
 std::string planner::last_error(std::string_view kinds) const {

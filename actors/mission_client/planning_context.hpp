@@ -77,6 +77,16 @@ public:
   }
 };
 
+// One that asks no more when the service does not allow it, until a person has acted.
+class blockable_part : public part {
+public:
+  void free() { is_blocked_ = false; }
+  [[nodiscard]] bool is_blocked() const { return is_blocked_; }
+
+protected:
+  bool is_blocked_ = false; // not allowed
+};
+
 // What outlives one turn and is common to all parts.
 struct ledger {
   ticket next_ticket = 1;

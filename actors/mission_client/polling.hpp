@@ -11,18 +11,15 @@ namespace godwit::mission_client {
 // A service that answers at once with nothing new, against the contract, is not asked more often than this.
 inline constexpr std::int64_t least_poll_period_ns = second_ns;
 
-class polling final : public part {
+class polling final : public blockable_part {
 public:
   void plan(planning_context& d) override;
   void on_answer(planning_context& d, ticket number, const service_answer& answer) override;
-  void free() { is_blocked_ = false; }
-  [[nodiscard]] bool is_blocked() const { return is_blocked_; }
 
 private:
   attempt attempt_;
   std::string mission_id_;
   std::int64_t started_ns_ = 0;
-  bool is_blocked_ = false; // not allowed
 };
 
 } // namespace godwit::mission_client

@@ -181,10 +181,7 @@ void item_planner::leave_line() {
     return;
   for (const auto index : state_before(mission_, index_)) {
     const auto& command = std::get<mission::command_item>(mission_.items[index]);
-    const auto state = mission::state_of(command);
-    if (answer_to(command) != item_answer::taken)
-      continue;
-    if (state == mission::command_state::speed)
+    if (mission::state_of(command) == mission::command_state::speed && answer_to(command) == item_answer::taken)
       writer_.repeat(command_item_of(command, setting_));
   }
 }

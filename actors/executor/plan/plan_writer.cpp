@@ -78,7 +78,12 @@ void plan_writer::append(const mission_item_int& item) {
   const auto sequence = sequence_of(plan_.items.size());
   plan_.items.push_back(item);
   plan_.items.back().seq = sequence;
-  note_trigger(item);
+  if (const auto change = trigger_change_of(item)) {
+    if (change->how == trigger_change::by::distance)
+      trigger_m_ = change->value;
+    else
+      is_triggering_ = change->value > 0;
+  }
   if (plan_.map.items.empty())
     return; // of the lead-in
   auto& owner = plan_.map.items.back();
@@ -91,27 +96,6 @@ void plan_writer::append(const mission_item_int& item) {
   if (!owner.first_nav_sequence)
     owner.first_nav_sequence = sequence;
   ++navs_;
-}
-
-void plan_writer::note_trigger(const mission_item_int& item) {
-  using io::mavlink::mav_cmd;
-  switch (static_cast<mav_cmd>(item.command)) {
-  case mav_cmd::do_set_cam_trigg_dist:
-    trigger_m_ = std::max(0.0F, item.param1);
-    break;
-  case mav_cmd::do_set_cam_trigg_interval:
-  case mav_cmd::do_trigger_control:
-    is_triggering_ = item.param1 > 0;
-    break;
-  case mav_cmd::image_start_capture:
-    is_triggering_ = item.param3 != 1;
-    break;
-  case mav_cmd::image_stop_capture:
-    is_triggering_ = false;
-    break;
-  default:
-    break;
-  }
 }
 
 void plan_writer::set_speed(double mps) {

@@ -80,7 +80,6 @@ public:
 
 private:
   void append(const io::mavlink::mission_item_int& item);
-  void note_trigger(const io::mavlink::mission_item_int& item);
   [[nodiscard]] std::uint32_t item_index() const;
   void go(leg_kind kind, const mission::position& to);
   void pay_speed();

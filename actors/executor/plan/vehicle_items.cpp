@@ -159,31 +159,38 @@ mission_item_int jump_item(std::int32_t times) {
   return bare_item(mav_cmd::do_jump, {0, static_cast<double>(times), 0, 0});
 }
 
+std::optional<trigger_change> trigger_change_of(const mission_item_int& item) {
+  using by = trigger_change::by;
+  switch (static_cast<mav_cmd>(item.command)) {
+  case mav_cmd::do_set_cam_trigg_dist:
+    return trigger_change{by::distance, std::max(0.0F, item.param1)};
+  case mav_cmd::do_set_cam_trigg_interval:
+  case mav_cmd::do_trigger_control:
+    return trigger_change{by::time, item.param1 > 0 ? 1.0 : 0.0};
+  case mav_cmd::image_start_capture:
+    return item.param3 == 1 ? std::nullopt : std::optional(trigger_change{by::time, 1});
+  case mav_cmd::image_stop_capture:
+    return trigger_change{by::time, 0};
+  default:
+    return std::nullopt;
+  }
+}
+
 std::optional<mission_item_int> camera_to_stop(std::span<const mission_item_int> items, std::size_t sequence) {
   std::optional<mission_item_int> found;
   for (const auto& each : items.first(std::min(sequence, items.size()))) {
-    bool is_on = false;
-    auto off = each;
-    off.param1 = off.param2 = off.param3 = 0;
-    switch (static_cast<mav_cmd>(each.command)) {
-    case mav_cmd::do_set_cam_trigg_dist:
-    case mav_cmd::do_set_cam_trigg_interval:
-    case mav_cmd::do_trigger_control:
-      is_on = each.param1 > 0;
-      break;
-    case mav_cmd::image_start_capture:
-      if (each.param3 == 1)
-        continue; // a single one
-      is_on = true;
-      off.command = number(mav_cmd::image_stop_capture);
-      off.param1 = each.param1;
-      break;
-    case mav_cmd::image_stop_capture:
-      break;
-    default:
+    const auto change = trigger_change_of(each);
+    if (!change)
       continue;
-    }
-    found = is_on ? std::optional(off) : std::nullopt;
+    found.reset();
+    if (change->value == 0)
+      continue;
+    const bool captures = each.command == number(mav_cmd::image_start_capture);
+    found = each;
+    found->param1 = captures ? each.param1 : 0; // its camera
+    found->param2 = found->param3 = 0;
+    if (captures)
+      found->command = number(mav_cmd::image_stop_capture);
   }
   return found;
 }

@@ -51,6 +51,15 @@ using io::mavlink::mission_item_int;
 // Its target is filled in when all sequences are known.
 [[nodiscard]] mission_item_int jump_item(std::int32_t times);
 
+// What an item does to a camera that takes pictures by itself.
+struct trigger_change {
+  enum class by { distance, time };
+  by how = by::distance;
+  double value = 0; // metres by distance; by time 1: on; 0: it is switched off
+};
+// Nothing: it leaves it as it is. A single picture does, too.
+[[nodiscard]] std::optional<trigger_change> trigger_change_of(const mission_item_int& item);
+
 // What ends the pictures by distance or time that ITEMS have begun before SEQUENCE, and not ended. Nothing: there are
 // none.
 [[nodiscard]] std::optional<mission_item_int> camera_to_stop(std::span<const mission_item_int> items,

@@ -2,6 +2,7 @@
 #include "actors/executor/progress/acts.hpp"
 
 #include <cstdint>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -33,10 +34,15 @@ struct acts : testing::Test {
     d.news_told();
   }
 
-  void fly_to_release() {
-    auto map = map_of(d.vehicle, {"A", "drop", "C"});
-    make_act(map, 1, act_kind::release);
+  // A, the act, C.
+  void fly_with(const std::string& id, act_kind what) {
+    auto map = map_of(d.vehicle, {"A", id, "C"});
+    make_act(map, 1, what);
     fly(map);
+  }
+
+  void fly_to_release() {
+    fly_with("drop", act_kind::release);
     d.reached(0);
     EXPECT_EQ(d.said(), texts{"reached A#0 g1"});
     d.current(2);
@@ -75,9 +81,7 @@ TEST_F(acts, a_release_survives_a_crash_before_it_is_reported) {
 
 // Somebody else may have opened the gripper on the way.
 TEST_F(acts, a_release_before_the_vehicle_is_there_confirms_nothing) {
-  auto map = map_of(d.vehicle, {"A", "drop", "C"});
-  make_act(map, 1, act_kind::release);
-  fly(map);
+  fly_with("drop", act_kind::release);
   d.take(*act_in("Gripper load released"));
   d.reached(0);
   d.current(2);
@@ -131,9 +135,7 @@ TEST_F(acts, a_load_that_the_gripper_has_released_on_the_ground_is_placed) {
 
 // As an ArduCopter: the picture comes just before REACHED.
 TEST_F(acts, a_picture_just_before_reached_is_that_of_the_place) {
-  auto map = map_of(d.vehicle, {"A", "photo", "C"});
-  make_act(map, 1, act_kind::picture);
-  fly(map);
+  fly_with("photo", act_kind::picture);
   d.take(picture_told{7});
   d.reached(0);
   d.current(2);
@@ -141,9 +143,7 @@ TEST_F(acts, a_picture_just_before_reached_is_that_of_the_place) {
 }
 
 TEST_F(acts, a_picture_may_have_any_number) {
-  auto map = map_of(d.vehicle, {"A", "photo", "C"});
-  make_act(map, 1, act_kind::picture);
-  fly(map);
+  fly_with("photo", act_kind::picture);
   d.take(picture_told{INT32_MAX});
   d.take(picture_told{INT32_MIN});
   d.reached(0);
@@ -153,9 +153,7 @@ TEST_F(acts, a_picture_may_have_any_number) {
 }
 
 TEST_F(acts, a_picture_that_was_not_taken_has_failed) {
-  auto map = map_of(d.vehicle, {"A", "photo", "C"});
-  make_act(map, 1, act_kind::picture);
-  fly(map);
+  fly_with("photo", act_kind::picture);
   d.reached(0);
   d.current(2);
   d.take(picture_told{7, false});

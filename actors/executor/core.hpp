@@ -175,7 +175,7 @@ public:
   // What it would take of the battery now.
   [[nodiscard]] way_home_estimate way_home(instant now) const { return energy_.way_home(now); }
   [[nodiscard]] known_missions missions() const {
-    return list_missions(flight_, {service_.refusal(), stations_.refused_upload(), service_.is_withdrawn()});
+    return list_missions(flight_, {service_.refusal(), stations_.refused_upload(), flight_.is_withdrawn()});
   }
   [[nodiscard]] const phase_machine& phases() const { return phases_; }
   [[nodiscard]] std::string sentence() const { return flight_.sentence(); } // how the flight stands, for people

@@ -81,9 +81,10 @@ bool flight_context::is_mission_flown() const {
   return s.status.now == phase::flying || (s.status.now == phase::pausing && !is_landing());
 }
 
+bool flight_context::is_plan_over() const { return is_plan_finished() || is_on_way_home() || was_called_home(); }
+
 bool flight_context::is_landing() const {
-  const bool is_plan_over = is_plan_finished() || is_on_way_home() || was_called_home();
-  return s.status.now == phase::landing || (s.status.now == phase::pausing && is_plan_over);
+  return s.status.now == phase::landing || (s.status.now == phase::pausing && is_plan_over());
 }
 
 bool flight_context::may_change_plan() const {
@@ -133,8 +134,7 @@ bool flight_context::is_in_return_of_plan() const {
 }
 
 bool flight_context::was_called_off() const {
-  const auto& open = s.progress.mission;
-  return open && open->last_report && open->last_report->kind == mission::progress_kind::aborted;
+  return s.progress.mission && progress::was_called_off(*s.progress.mission);
 }
 
 bool flight_context::waits_for_next() const {
@@ -144,8 +144,7 @@ bool flight_context::waits_for_next() const {
     return true;
   if (s.status.now == phase::post_flight) // it is delivered first
     return false;
-  const bool is_withdrawn = s.deleted_mission == s.mission->mission_id && !flies_deleted_mission();
-  return is_at_rest(s.status.now) || is_withdrawn ||
+  return is_at_rest(s.status.now) || is_withdrawn() ||
          progress::has_ended(s.progress, s.mission->mission_id, s.mission->revision);
 }
 
@@ -221,15 +220,18 @@ plan::plan_from flight_context::going_on(const mission::document& mission, std::
           is_begun ? s.progress.mission->jumps : std::vector<progress::taken_jump>()};
 }
 
+bool flight_context::may_plan(instant now) const {
+  return view.place(now.now_ns) && view.home() && view.owner().vehicle != flight::vehicle_class::unknown;
+}
+
 std::optional<plan::plan_setting> flight_context::setting(instant now) const {
-  const auto place = view.place(now.now_ns);
-  if (!place || !view.home() || view.owner().vehicle == flight::vehicle_class::unknown)
+  if (!may_plan(now))
     return std::nullopt;
   plan::plan_setting result;
   result.vehicle = view.owner().vehicle;
   result.autopilot = view.owner().autopilot;
   result.home = *view.home();
-  result.start = *place;
+  result.start = *view.place(now.now_ns);
   result.is_under_way = view.is_under_way();
   place_home(result);
   result.own_loiter_radius_m = configured.own_loiter_radius_m;

@@ -111,10 +111,14 @@ struct flight_context {
   [[nodiscard]] bool was_called_off() const;
   // No mission is under way, and the service is asked for the next one.
   [[nodiscard]] bool waits_for_next() const;
+  // The service has deleted the mission; and it is not flown any more.
+  [[nodiscard]] bool is_mission_deleted() const { return s.mission && s.deleted_mission == s.mission->mission_id; }
+  [[nodiscard]] bool is_withdrawn() const { return is_mission_deleted() && !flies_deleted_mission(); }
   // By policy: it was begun, and is not over.
   [[nodiscard]] bool flies_deleted_mission() const;
   [[nodiscard]] bool is_on_way_home() const; // by a plan
   [[nodiscard]] bool was_called_home() const { return s.progress.paused == progress::pause_reason::aborted; }
+  [[nodiscard]] bool is_plan_over() const;     // it is finished, or the vehicle is on its way home
   [[nodiscard]] bool is_mission_flown() const; // it flies to its items, and may have been commanded to hold
   [[nodiscard]] bool is_landing() const;       // the same: it comes down, or is home already
   [[nodiscard]] bool may_change_plan() const;  // of a flight
@@ -167,7 +171,9 @@ struct flight_context {
   [[nodiscard]] std::size_t first_item(const mission::document& mission) const; // to go on with
   // A survey that was begun goes on with the line that was begun.
   [[nodiscard]] plan::plan_from going_on(const mission::document& mission, std::size_t first_item) const;
-  // None: where the vehicle or its home is, is not known.
+  // It is known where the vehicle and its home are, and what it is: a plan can be made.
+  [[nodiscard]] bool may_plan(instant now) const;
+  // None: it is not.
   [[nodiscard]] std::optional<plan::plan_setting> setting(instant now) const;
   // Of MISSION from FIRST_ITEM on, or of the rest of it, from where the vehicle is. Errors: a sentence for people.
   [[nodiscard]] tl::expected<plan::flight_plan, std::string> plan_in_flight(const mission::document& mission,

@@ -23,7 +23,8 @@ bool names_battery(failsafe::rule each) {
 
 void homecoming::begin(effects& out, instant now) {
   const auto way = turns(now);
-  const bool waits = flight_.returns_elsewhere() && !flight_.setting(now); // a new incarnation hears it within a second
+  const bool waits =
+      flight_.returns_elsewhere() && !flight_.may_plan(now); // a new incarnation hears it within a second
   if (!way && !waits)
     return begin_straight(out, way.error());
   if (way && way->empty())
@@ -70,7 +71,7 @@ std::string homecoming::why_not_for_failsafe(instant now) const {
     return "the vehicle flies no mission of godwit's";
   if (view.owner().vehicle == flight::vehicle_class::fixed_wing)
     return "a fixed wing is given no landing that is not planned";
-  if (!flight_.setting(now))
+  if (!flight_.may_plan(now))
     return "the vehicle does not report where it is";
   return {};
 }
@@ -176,7 +177,7 @@ bool homecoming::go_on(effects& out, instant now) {
     begin_straight(out, why);
     return true;
   }
-  const bool is_known = flight_.setting(now).has_value();
+  const bool is_known = flight_.may_plan(now);
   if (at != homing_stage::held || !is_known || flight_.has_open_intent() || flight_.runner.is_busy())
     return false;
   const auto way = turns(now); // it has come on a little until it held
@@ -197,7 +198,7 @@ std::string homecoming::why_not_by_plan(instant now) const {
     return "the way was not flown within " + std::to_string(time_for_plan_ns() / 1'000'000'000) + " s";
   if (is_battery_low() && !flight_.returns_elsewhere())
     return "the battery is low";
-  const bool is_known = flight_.homing.is_recalled || flight_.setting(now);
+  const bool is_known = flight_.homing.is_recalled || flight_.may_plan(now);
   return is_known ? "" : "the vehicle does not report where it is";
 }
 

@@ -30,8 +30,7 @@ std::string outcome_of(const mission_record& record) {
   const bool is_complete = record.completed_revision && *record.completed_revision >= record.revision;
   if (is_complete)
     return "complete";
-  const bool is_called_off = record.last_report && record.last_report->kind == mission::progress_kind::aborted;
-  return is_called_off ? "aborted" : "";
+  return progress::was_called_off(record) ? "aborted" : "";
 }
 
 // What comes of a mission that waits, in the order in which it is looked at.

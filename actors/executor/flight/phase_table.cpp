@@ -29,8 +29,7 @@ constexpr phase_set at_rest_or_prepared = of(disconnected, connected, preflight,
 bool is_in_flight(const flight_context& c) { return c.is_in_flight(); }
 // Or it flies the way home, which is no part of the mission.
 bool is_plan_finished(const flight_context& c) { return c.is_plan_finished() || c.is_on_way_home(); }
-// Or it was called home.
-bool is_plan_over(const flight_context& c) { return is_plan_finished(c) || c.was_called_home(); }
+bool is_plan_over(const flight_context& c) { return c.is_plan_over(); }
 bool has_person(const flight_context& c) { return c.has_person(); }
 bool waits_in_air(const flight_context& c) { return c.is_in_flight() && c.hovers() && c.is_in_air(); }
 bool is_flown_to_end(const flight_context& c) { return c.is_in_flight() && is_plan_finished(c); }

@@ -7,7 +7,7 @@ bool plan_changes::bring_plan_before(effects& out, instant now) {
   const auto& s = flight_.s;
   if (!flight_.wanted.bring_back || flight_.runner.is_busy() || flight_.has_open_intent())
     return false;
-  if (!flight_.setting(now) && flight_.is_in_flight())
+  if (!flight_.may_plan(now) && flight_.is_in_flight())
     return false; // until the vehicle has sent where it is
   flight_.wanted.bring_back = false;
   if (!flight_.is_in_flight() || !flight_.is_held() || !s.mission)

@@ -223,7 +223,7 @@ void plan_changes::keep_commanded(effects& out, bool has_looked, instant now) {
   if (wanted.change && !kept)
     out.emplace_back(note{change_commanded{commanded_change{
         wanted.change->kind, wanted.change->to, wanted.change->after, wall_ns_of(wanted.change->said_ns, now)}}});
-  else if (!wanted.change && kept && may_take_up_ && has_looked && flight_.setting(now))
+  else if (!wanted.change && kept && may_take_up_ && has_looked && flight_.may_plan(now))
     take_up_commanded(out, now);
   else if (!wanted.change && kept && !may_take_up_)
     out.emplace_back(note{change_commanded{}});
@@ -404,7 +404,7 @@ bool plan_changes::take_on_ground(effects& out, const mission::assignment& asked
 
 bool plan_changes::deploy_assigned(effects& out, const mission::assignment& asked, const reassigned& wanted,
                                    instant now) {
-  if (!flight_.setting(now))
+  if (!flight_.may_plan(now))
     return true; // until the vehicle is heard
   const auto plan = flight_.plan_in_flight(wanted.mission, wanted.first_item, now);
   if (!plan)
@@ -418,7 +418,7 @@ bool plan_changes::deploy_arrived(effects& out, instant now) {
   if (flight_.has_open_intent() || !s.arrived || !s.mission || !flight_.may_change_plan() ||
       !flight_.view.is_under_way() || s.arrived->mission_id != s.mission->mission_id)
     return false;
-  if (!flight_.setting(now))
+  if (!flight_.may_plan(now))
     return true; // until the vehicle has sent where it is, and where its home is
   const auto plan = flight_.plan_in_flight(*s.arrived, now);
   if (!plan) {

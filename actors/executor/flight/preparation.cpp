@@ -74,7 +74,7 @@ preflight::report preparation::look_at_all(instant now) {
   seen.vehicle = look_at_vehicle(now);
   seen.mission.document = mission ? &*mission : nullptr;
   seen.mission.refusal = why_no_mission();
-  seen.mission.is_deleted = service_.is_withdrawn();
+  seen.mission.is_deleted = flight_.is_withdrawn();
   seen.mission.is_brought = flight_.s.status.now == phase::ready;
   seen.mission.has_service = flight_.configured.has_service;
   seen.mission.map = service_.map();

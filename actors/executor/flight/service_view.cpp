@@ -70,7 +70,7 @@ void service_view::ask_again(effects& out, instant now) {
     out.emplace_back(say_to_client{mission_client::begin_mission{flight_.configured.mission_id}});
     return;
   }
-  if (wants_status() && !is_deleted())
+  if (wants_status() && !flight_.is_mission_deleted())
     ask_for_map(out, now, at_once);
 }
 
@@ -128,7 +128,7 @@ std::string service_view::pull() {
     wants_pull_ = true;
     return {};
   }
-  if (is_deleted())
+  if (flight_.is_mission_deleted())
     return "the service has deleted the mission";
   if (!may_begin_again_ && !has_failed)
     return map_ == pull_state::synced ? "the mission and its map are there already"
@@ -158,12 +158,5 @@ bool service_view::is_copy_accepted() const {
   return map_ == pull_state::cached_fallback && checks.now == preflight::phase::pass && checks.report &&
          !checks.report->acknowledged_by.empty();
 }
-
-bool service_view::is_deleted() const {
-  const auto& s = flight_.s;
-  return s.mission && s.deleted_mission == s.mission->mission_id;
-}
-
-bool service_view::is_withdrawn() const { return is_deleted() && !flight_.flies_deleted_mission(); }
 
 } // namespace godwit::executor

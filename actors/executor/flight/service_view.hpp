@@ -46,10 +46,6 @@ public:
   [[nodiscard]] mission_client::pull_state map() const { return map_; }
   [[nodiscard]] const std::string& map_problem() const { return map_problem_; } // why the last pull failed
   [[nodiscard]] const std::string& refusal() const { return refusal_; }         // empty: it was not refused
-  // The flight's mission is gone from the service.
-  [[nodiscard]] bool is_deleted() const;
-  // And is not flown any more: by policy, one that was begun is flown to its end.
-  [[nodiscard]] bool is_withdrawn() const;
 
 private:
   [[nodiscard]] bool is_copy_accepted() const;

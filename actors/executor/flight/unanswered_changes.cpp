@@ -52,7 +52,7 @@ std::int64_t plan_changes::next_deadline_ns() const {
 bool plan_changes::fly_unanswered(effects& out, instant now) {
   const auto& wanted = flight_.wanted; // another word ends the change
   if (!may_fly_unanswered() || !is_wait_over(now) || wanted.go_on || wanted.halt || flight_.has_open_intent() ||
-      !flight_.may_change_plan() || !flight_.view.is_under_way() || !flight_.setting(now))
+      !flight_.may_change_plan() || !flight_.view.is_under_way() || !flight_.may_plan(now))
     return false;
   const auto& asked = *flight_.s.change;
   plan_change what;

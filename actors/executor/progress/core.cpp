@@ -42,9 +42,8 @@ bool is_at_last_movement(const state& s) {
 
 bool has_ended(const state& s, std::string_view mission_id, std::int32_t revision) {
   const auto is_ended = [&](const mission_record& each) {
-    const bool is_called_off = each.last_report && each.last_report->kind == mission::progress_kind::aborted;
     return each.mission_id == mission_id && ((each.completed_revision && *each.completed_revision >= revision) ||
-                                             (is_called_off && each.last_report->revision >= revision));
+                                             (was_called_off(each) && each.last_report->revision >= revision));
   };
   return (s.mission && is_ended(*s.mission)) || std::ranges::any_of(s.past_missions, is_ended);
 }

@@ -34,6 +34,11 @@ namespace godwit::executor::progress {
 // The last item that moves the vehicle is the one where it is, or was when it was heard last, and is not done.
 [[nodiscard]] bool is_at_last_movement(const state& s);
 
+// Before its end, as its last report tells.
+[[nodiscard]] inline bool was_called_off(const mission_record& mission) {
+  return mission.last_report && mission.last_report->kind == mission::progress_kind::aborted;
+}
+
 // This mission was flown to its end, or was called off, in this revision or a later one: now, or before another was
 // opened (of the last max_past_missions).
 [[nodiscard]] bool has_ended(const state& s, std::string_view mission_id, std::int32_t revision);

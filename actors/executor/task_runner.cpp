@@ -27,6 +27,16 @@ void withdraw_announced(const task_runner::world& w, std::vector<std::uint32_t> 
     w.out.emplace_back(say_to_failsafe{failsafe::expect_mode{std::move(modes), 0, true}});
 }
 
+// No order of ours brings the vehicle into these modes any more.
+void withdraw(const task_runner::world& w, const std::vector<std::uint32_t>& modes) {
+  w.authority.withdraw(modes);
+  withdraw_announced(w, modes);
+}
+
+progress::start_intended start_at(const vehicle_view& view, std::uint16_t sequence) {
+  return {sequence, view.says_incomplete(), !view.current() || view.current()->seq > sequence};
+}
+
 // The vehicle has looked at it and will not have it: to ask again the same would be answered the same.
 bool is_final(const vehicle_link::command_outcome& outcome) {
   if (outcome.verdict == command_verdict::invalid)
@@ -221,9 +231,9 @@ void task_runner::begin_step(const world& w) {
   if (has_intent() && !is_intent_noted_) {
     is_intent_noted_ = true;
     if (const auto* item = std::get_if<set_current_item>(&way_[at_]))
-      return note_and_wait(w, progress::start_intended{item->sequence});
+      return note_and_wait(w, start_at(w.view, item->sequence));
     if (const auto* start = std::get_if<start_plan>(&way_[at_]))
-      return note_and_wait(w, progress::start_intended{start->sequence});
+      return note_and_wait(w, start_at(w.view, start->sequence));
     return note_and_wait(w, *intent_);
   }
   if (allowed == permission::look) {
@@ -280,15 +290,17 @@ void task_runner::prove_plan(const world& w) {
 
 void task_runner::on_read(const world& w, const transfer::outcome& outcome) {
   const auto items = static_cast<std::int64_t>(w.durable.flown ? w.durable.flown->items.size() : 0);
-  if (outcome.verdict != transfer::verdict::accepted) {
+  const auto is_read = outcome.verdict == transfer::verdict::accepted;
+  const auto is_ours = is_read && holds_flown_plan(w.durable, outcome, w.view.owner());
+  if (is_ours)
+    w.seen.plan.prove(read_since_ns_, w.now_ns);
+  if (is_ours && w.seen.plan.is_proved())
+    return enter(stage::begin);
+  if (is_ours || !is_read) {
     if (w.now_ns - proving_since_ns_ < proof_within_ns + items * proof_item_ns)
       return enter(stage::pausing, w.now_ns + prove_again_ns);
-    return end_step(w, "it could not be proved that the vehicle holds godwit's plan (" + outcome.reason +
-                           "); nothing is started");
-  }
-  if (holds_flown_plan(w.durable, outcome, w.view.owner())) {
-    w.seen.plan.prove(read_since_ns_, w.now_ns);
-    return enter(stage::begin);
+    const auto why = is_read ? "somebody else goes on sending it plans" : outcome.reason;
+    return end_step(w, "it could not be proved that the vehicle holds godwit's plan (" + why + "); nothing is started");
   }
   w.seen.plan.forget();
   w.out.emplace_back(note{progress::other_plan_found{}});
@@ -461,11 +473,7 @@ void task_runner::on_command(const world& w, std::uint64_t number, const vehicle
 // It has not gone out: that was no try, and nothing comes of it. True: it is judged anew with the heartbeat that is on
 // its way here.
 bool task_runner::was_outdated(const world& w) {
-  const auto unsent = std::exchange(last_expected_, {});
-  if (!unsent.empty()) {
-    w.authority.withdraw(unsent);
-    w.out.emplace_back(say_to_failsafe{failsafe::expect_mode{unsent, 0, true}});
-  }
+  withdraw(w, std::exchange(last_expected_, {}));
   if (++outdated_ >= max_tries_of_lost)
     return false;
   --tries_;
@@ -499,6 +507,8 @@ void task_runner::was_not_done(const world& w, const std::string& why, bool is_f
   const auto warned = w.view.warned_since(asked_ns_);
   const auto sentence = "the vehicle was asked " + what_is_asked() + ", and did not: " + why +
                         (warned.empty() ? "" : "; it says \"" + warned + "\"");
+  if (const auto* mode = std::get_if<change_mode>(&way_[at_])) // late, it can not be told from a person's
+    withdraw(w, flight::modes_obeying(w.view.owner(), mode->to));
   if (!has_intent())
     return fail(sentence);
   why_failed_ = sentence;

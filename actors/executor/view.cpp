@@ -136,8 +136,15 @@ bool vehicle_view::is_in_one_of(const std::vector<std::uint32_t>& modes) const {
 
 bool vehicle_view::obeys(flight::mode_kind kind) const { return is_in_one_of(flight::modes_obeying(owner_, kind)); }
 
-bool vehicle_view::says_complete() const {
-  return current_ && current_->mission_state == io::mavlink::number(io::mavlink::mission_state::complete);
+bool vehicle_view::says_complete() const { return says(io::mavlink::mission_state::complete); }
+
+bool vehicle_view::says_incomplete() const {
+  using io::mavlink::mission_state;
+  return says(mission_state::not_started) || says(mission_state::active) || says(mission_state::paused);
+}
+
+bool vehicle_view::says(io::mavlink::mission_state what) const {
+  return current_ && current_->mission_state == io::mavlink::number(what);
 }
 
 bool vehicle_view::finds_infeasible() const {

@@ -13,6 +13,7 @@
 #include "actors/domain/vehicle_text/text_assembler.hpp"
 #include "actors/executor/plan/setting.hpp"
 #include "actors/executor/preflight/facts.hpp"
+#include "io/mavlink/enums/mission.hpp"
 #include "io/mavlink/enums/vehicle.hpp"
 #include "io/mavlink/messages.hpp"
 #include "io/mavlink/messages/heartbeat.hpp"
@@ -90,6 +91,7 @@ public:
   [[nodiscard]] const std::optional<io::mavlink::mission_current>& current() const { return current_; }
   // MISSION_CURRENT says so; false before it was heard.
   [[nodiscard]] bool says_complete() const;
+  [[nodiscard]] bool says_incomplete() const;
   // A PX4 that has checked the plan that it holds: it has an id and items, and is no mission.
   [[nodiscard]] bool finds_infeasible() const;
   [[nodiscard]] std::int64_t current_heard_ns() const { return current_heard_ns_; }
@@ -105,6 +107,8 @@ public:
   [[nodiscard]] std::int64_t place_heard_ns() const { return place_heard_ns_; }
 
 private:
+  [[nodiscard]] bool says(io::mavlink::mission_state what) const;
+
   struct said {
     std::string what;
     std::int64_t at_ns = 0;

@@ -181,8 +181,8 @@ bool flight_start::follow(effects& out, instant now) {
   flight_.evidence.plan.doubt(now.now_ns); // whoever has started it may have brought another one
   flight_.wanted.set_current_item = false; // it goes on from where it is
   out.emplace_back(note{preflight::took_off{}});
-  if (flight_.view.current())
-    out.emplace_back(note{progress::found_begun{flight_.view.current()->seq}});
+  if (const auto& current = flight_.view.current())
+    out.emplace_back(note{progress::found_begun{current->seq, flight_.view.says_incomplete()}});
   phases_.go(out, trigger::found_started);
   tasks_.begin(out, task_kind::resume, {guard{}, change_mode{mode_kind::mission}});
   return true;

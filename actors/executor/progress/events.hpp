@@ -49,7 +49,9 @@ struct upload_intended {
 // A MISSION_START or a set-current is about to go to the vehicle, which will begin there.
 struct start_intended {
   std::uint16_t sequence = 0;
-  GODWIT_FIELDS(start_intended, "executor.progress_start_intended", sequence);
+  bool was_incomplete = false; // its MISSION_STATE before: one that is complete after this is not an older one
+  bool was_beyond = true;      // its MISSION_CURRENT before, as far as it is known
+  GODWIT_FIELDS(start_intended, "executor.progress_start_intended", sequence, was_incomplete, was_beyond);
 };
 
 // The missions service has more reports of a mission than we know of: numbers and generations go on behind them.
@@ -111,7 +113,8 @@ struct plan_read_back {
 // The vehicle flies the plan, and nobody here has started it: it counts from this item on.
 struct found_begun {
   std::uint16_t sequence = 0;
-  GODWIT_FIELDS(found_begun, "executor.progress_found_begun", sequence);
+  bool was_incomplete = false; // as above
+  GODWIT_FIELDS(found_begun, "executor.progress_found_begun", sequence, was_incomplete);
 };
 
 // What became of the command: whether the vehicle has begun where start_intended said.

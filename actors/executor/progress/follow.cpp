@@ -51,11 +51,23 @@ bool is_at_start(const decision_context& t, const mission_current& message) {
   return is_start(plan.map, g.start_sequence, message.seq) && !says_complete(message) && !may_be_older;
 }
 
+// It has begun where it was to begin, and gone on from there before anybody heard of it: where the line was cut.
+bool has_begun_unheard(const decision_context& t, const mission_current& message) {
+  const auto& plan = *t.s.plan;
+  const auto& g = plan.generation;
+  return g.origin == generation_origin::start && !g.was_beyond && !t.s.start && !is_resolving(t) &&
+         has_sequence(plan.map, message.seq) && message.seq > g.start_sequence;
+}
+
 // Armed from now on, if this is the start.
 void try_to_arm(decision_context& t, const mission_current& message) {
   auto& plan = *t.s.plan;
   auto& g = plan.generation;
-  if (is_at_start(t, message)) {
+  if (has_begun_unheard(t, message)) {
+    g.is_armed = true;
+    g.current = g.start_sequence;
+    tell(t, progress_event_kind::armed);
+  } else if (is_at_start(t, message)) {
     if (!is_resolving(t))
       g.resolving_since_ns = t.now_ns; // it has just come there from elsewhere
     g.is_armed = true;

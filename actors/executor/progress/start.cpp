@@ -24,6 +24,7 @@ void take(decision_context& t, const found_begun& what) {
       is_start(plan.map, plan.generation.start_sequence, what.sequence))
     return;
   open_generation(t, generation_origin::start, what.sequence);
+  t.s.plan->generation.was_active = what.was_incomplete;
 }
 
 void take(decision_context& t, const start_ended& what) {
@@ -38,6 +39,8 @@ void take(decision_context& t, const start_ended& what) {
   if (!is_way_home(t.s.plan->map))
     t.s.paused.reset();
   open_generation(t, generation_origin::start, start.sequence);
+  t.s.plan->generation.was_active = start.was_incomplete;
+  t.s.plan->generation.was_beyond = start.was_beyond;
   release_held(t);
 }
 

@@ -74,8 +74,9 @@ struct generation_state {
   bool is_armed = false;
   bool is_active = false;            // the vehicle said last that it flies it
   bool is_complete = false;          // the vehicle said last that it has completed the mission
-  bool was_active = false;           // the vehicle has sent so: a MISSION_STATE complete is not an older one
+  bool was_active = false;           // or incomplete before its start: a MISSION_STATE complete is not an older one
   bool is_finished = false;          // all items that move the vehicle are done
+  bool was_beyond = true;            // the vehicle, when it was started: where it is now may be where it was then
   bool is_not_at_start_told = false; // once is enough
   std::uint16_t current = 0;         // of an armed one: where the vehicle is
   // What waits a moment for the MISSION_ITEM_REACHED of the item just left: the vehicle has moved on to here, or has
@@ -100,7 +101,7 @@ struct generation_state {
       io::field("settling_since_ns", &generation_state::resolving_since_ns),
       io::field("is_armed", &generation_state::is_armed), io::field("is_active", &generation_state::is_active),
       io::field("is_complete", &generation_state::is_complete), io::field("was_active", &generation_state::was_active),
-      io::field("is_finished", &generation_state::is_finished),
+      io::field("is_finished", &generation_state::is_finished), io::field("was_beyond", &generation_state::was_beyond),
       io::field("is_not_at_start_told", &generation_state::is_not_at_start_told),
       io::field("current", &generation_state::current), io::field("moved_to", &generation_state::moved_to),
       io::field("complete_upto", &generation_state::complete_upto),

@@ -72,6 +72,24 @@ TEST_P(flight_vehicle, that_does_not_come_back_is_given_up_by_a_person_and_not_b
   EXPECT_FALSE(world.say(command_kind::end_flight).is_taken) << "no flight is open";
 }
 
+// The line is cut as it begins: what it passes meanwhile is not flown a second time.
+TEST_P(flight_vehicle, that_is_not_heard_from_its_start_on_goes_on_from_where_it_is_heard_again) {
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until([&] { return world.durable().status.now == phase::flying; }, 300)) << world.story();
+  const auto began_at = world.vehicle().describe().mission_current;
+  world.silence_vehicle(true);
+  ASSERT_TRUE(world.run_until([&] { return world.vehicle().describe().mission_current >= began_at + 2; }, 300));
+  const auto seen_at = world.vehicle().describe().mission_current;
+  world.silence_vehicle(false);
+  const auto has_gone_back = [&] {
+    const auto seen = world.vehicle().describe();
+    return seen.armed && seen.mission_current < seen_at;
+  };
+  EXPECT_FALSE(world.run_until(has_gone_back, 20)) << world.story();
+  ASSERT_TRUE(world.run_until([&] { return is_over(world.durable().status.now); }, 900)) << world.story();
+  EXPECT_EQ(world.reports().back().kind, mission::progress_kind::complete) << world.story();
+}
+
 // It would be a vehicle without a kind, disarmed, in no mode: a pilot's, and nobody's failsafe.
 TEST_P(flight_vehicle, is_not_a_program_that_speaks_under_its_ids) {
   world.load(tests::short_mission(GetParam()));

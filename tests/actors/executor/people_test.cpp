@@ -387,6 +387,23 @@ TEST_P(people, a_pause_that_is_never_obeyed_is_said_so_and_not_shown_as_paused) 
   EXPECT_NE(world.story().find("not execute"), std::string::npos) << world.story();
 }
 
+// The pause may have come through late, or a pilot holds it: nobody can tell, so nothing is sent.
+TEST_P(people, who_holds_it_right_after_a_pause_that_was_not_obeyed_has_it) {
+  flight_world world({.who = GetParam(), .speed = 1});
+  ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::started, "w1"));
+  world.lose_command(set_mode, 100);
+  ASSERT_TRUE(world.say(command_kind::pause).is_taken);
+  ASSERT_TRUE(world.run_until([&] { return world.story().find("not execute") != std::string::npos; }, 7));
+  world.switch_mode(hold_mode(GetParam()));
+  ASSERT_TRUE(world.run_until([&] { return world.heard_mode() == hold_mode(GetParam()); }, 3)) << world.story();
+  world.lose_command(set_mode, 0);
+  const auto orders = world.orders();
+  world.assign(tail_behind("w2", GetParam()));
+  world.run_for(10);
+  EXPECT_EQ(world.durable().status.cause, pause_cause::taken_over) << world.story();
+  EXPECT_EQ(world.orders(), orders) << world.story();
+}
+
 // Of 200 pauses 198 within 2.5 s.
 TEST_P(people, at_20_percent_loss_a_pause_is_obeyed_within_2_5_s) {
   constexpr int flights = 1'000; // eight of them lose three commands in a row

@@ -285,7 +285,7 @@ void model_flight::intend_start(std::uint32_t position) {
   const auto sequence = s_.plan->map.items[position].first_sequence;
   start_ = start_phase::intended;
   is_start_refused_ = draw_.one_in(10);
-  take(start_intended{sequence});
+  take(start_intended{sequence, was_incomplete_, !last_sequence_ || *last_sequence_ > sequence});
   if (!s_.start)
     start_ = start_phase::none;
 }
@@ -352,6 +352,12 @@ void model_flight::hear(const heard& message) {
   const auto lost_before = lost_;
   take(message.what);
   const auto* current = std::get_if<current_told>(&message.what);
+  if (current != nullptr) {
+    using io::mavlink::mission_state;
+    const auto state = current->message.mission_state;
+    last_sequence_ = current->message.seq;
+    was_incomplete_ = state != number(mission_state::unknown) && state != number(mission_state::complete);
+  }
   if (lost_ != lost_before || current == nullptr || !message.is_true || !is_free || !s_.plan ||
       !s_.plan->generation.is_armed)
     return;

@@ -108,6 +108,8 @@ private:
   bool is_start_refused_ = false;
   std::vector<effect> questions_;
   bool is_not_at_start_ = false;
+  bool was_incomplete_ = false; // the mission, when MISSION_CURRENT was heard last
+  std::optional<std::uint16_t> last_sequence_;
   int idle_turns_ = 0; // in a row, of the vehicle
 
   bool is_calm_ = true;

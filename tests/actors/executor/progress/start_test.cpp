@@ -278,5 +278,65 @@ TEST(start, one_that_nobody_here_has_made_and_that_is_at_its_start_opens_nothing
   EXPECT_EQ(d.s.last_generation, 1U) << "it is followed already";
 }
 
+TEST(start, one_that_is_found_active_is_complete_also_when_nothing_is_heard_before_that) {
+  progress_fixture d;
+  d.upload({"A", "B", "C"});
+  d.wait_s(5);
+  d.take(found_begun{d.sequence(2), true});
+  for (int i = 0; i < 3; ++i) {
+    d.wait_s(60);
+    d.current(2, mission_state::complete);
+  }
+  EXPECT_EQ(d.said(), (texts{"skipped A#0 g2", "skipped B#1 g2", "reached C#2 g2 inferred", "complete g2 inferred"}));
+}
+
+// What it completed before it was started is not what it flies now.
+TEST(start, one_that_is_found_and_not_active_is_not_complete_by_what_the_vehicle_reported_before) {
+  progress_fixture d;
+  d.upload({"A", "B", "C"});
+  d.wait_s(5);
+  d.take(found_begun{d.sequence(2), false});
+  for (int i = 0; i < 3; ++i) {
+    d.wait_s(60);
+    d.current(2, mission_state::complete);
+  }
+  EXPECT_EQ(d.said(), (texts{"skipped A#0 g2", "skipped B#1 g2"}));
+}
+
+TEST(start, of_a_vehicle_that_was_not_beyond_it_is_believed_when_it_is_heard_further_on) {
+  for (const bool was_beyond : {false, true}) {
+    progress_fixture d;
+    d.upload({"A", "B", "C", "D"});
+    d.wait_s(5);
+    d.take(start_intended{d.sequence(0), true, was_beyond});
+    d.started();
+    d.wait_s(1);
+    d.current(2);
+    EXPECT_EQ(d.said(), texts{}) << "it may be older";
+    d.wait_s(2);
+    d.current(2);
+    d.wait_s(2);
+    d.current(2);
+    const texts all{"reached A#0 g2 inferred", "reached B#1 g2 inferred", "started C#2 g2"};
+    EXPECT_EQ(d.said(), was_beyond ? texts{} : all);
+    EXPECT_EQ(d.news_told().back(), was_beyond ? "not_at_start g2" : "armed g2");
+  }
+}
+
+TEST(start, of_an_incomplete_plan_is_over_when_the_vehicle_reports_that_it_is_complete) {
+  for (const bool was_incomplete : {true, false}) {
+    progress_fixture d;
+    d.upload(texts{"A"});
+    d.wait_s(5);
+    d.take(start_intended{d.sequence(0), was_incomplete});
+    d.started();
+    for (int i = 0; i < 4; ++i) {
+      d.wait_s(3);
+      d.current(0, mission_state::complete);
+    }
+    EXPECT_EQ(d.said(), (was_incomplete ? texts{"reached A#0 g2 inferred", "complete g2 inferred"} : texts{}));
+  }
+}
+
 } // namespace start_test
 } // namespace godwit::executor::progress

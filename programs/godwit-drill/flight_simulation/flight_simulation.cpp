@@ -203,7 +203,7 @@ void flight_simulation::look_at_intent(const mavlink::frame_view& frame) {
       frame.id() == mavlink::command_long::message_id && is_start(mavlink::decode<mavlink::command_long>(frame));
   if (!brings_plan && !starts)
     return;
-  const auto intent = read_intent(outside_.journal.actors["executor"].kept);
+  const auto intent = read_intent(outside_.journal.actors["executor"].kept, wall_ns());
   if ((brings_plan && !intent.brings_plan) || (starts && !intent.starts))
     sent_without_intent_ = true;
 }

@@ -87,16 +87,24 @@ void stored_disk::lose_power(std::uint64_t seed) {
   fault_vfs::instance().track_unsynced();
 }
 
-intent_on_disk read_intent(const runtime::recovered& executor) {
+intent_on_disk read_intent(const runtime::recovered& executor, std::int64_t since_ns) {
   using executor::durable_core;
   executor::state found;
   if (executor.snapshot)
     found = runtime::read_state<durable_core>("executor", *executor.snapshot);
-  for (const auto& each : executor.events)
-    if (std::ranges::find(durable_core::retired, each.type) == durable_core::retired.end())
-      (void)durable_core::apply(found, runtime::read_alternative<durable_core::event>("executor", each.type, each.body),
-                                each.at_ns);
-  return {found.progress.upload.has_value(), found.progress.start.has_value()};
+  intent_on_disk given_up;
+  for (const auto& each : executor.events) {
+    if (std::ranges::find(durable_core::retired, each.type) != durable_core::retired.end())
+      continue;
+    (void)durable_core::apply(found, runtime::read_alternative<durable_core::event>("executor", each.type, each.body),
+                              each.at_ns);
+    if (each.at_ns >= since_ns) {
+      given_up.brings_plan = given_up.brings_plan || found.progress.upload.has_value();
+      given_up.starts = given_up.starts || found.progress.start.has_value();
+    }
+  }
+  return {given_up.brings_plan || found.progress.upload.has_value(),
+          given_up.starts || found.progress.start.has_value()};
 }
 
 } // namespace godwit::drill

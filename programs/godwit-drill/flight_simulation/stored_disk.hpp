@@ -47,7 +47,8 @@ struct intent_on_disk {
   bool starts = false;      // the same of a start
 };
 
-// EXECUTOR: what the journal has of it.
-[[nodiscard]] intent_on_disk read_intent(const runtime::recovered& executor);
+// EXECUTOR: what the journal has of it. An intent that was written at SINCE_NS or later counts also when its end is
+// written already: it was given up while its message was on the way to the line.
+[[nodiscard]] intent_on_disk read_intent(const runtime::recovered& executor, std::int64_t since_ns);
 
 } // namespace godwit::drill

@@ -40,7 +40,7 @@ void operator_access::add_desks(runtime::system& actors, const daemon_settings& 
                                 std::function<std::vector<std::uint64_t>()> pictured_points, audit_source audit) {
   desk_ = actors.add<operator_port::operator_desk>(
       {.name = name(child_name::operator_desk)}, policy_of(child_name::operator_desk),
-      operator_port::desk_peers{flight.bridge, flight.scan, base.failsafe, std::move(pictured_points),
+      operator_port::desk_peers{flight.bridge, flight.executor, flight.scan, base.failsafe, std::move(pictured_points),
                                 std::move(audit)},
       answers_);
   page_desks_ = add_page_desks(actors, wanted, base, flight, answers_);

@@ -9,6 +9,14 @@ namespace godwit::operator_port {
 using operator_bridge::verdict;
 using operators::principal;
 
+namespace {
+
+bool is_stop(const api_request& asked) {
+  return asked.what == api_act::command && operators::is_stop(asked.said.what.kind);
+}
+
+} // namespace
+
 operator_desk::operator_desk(runtime::spawn_context context, desk_peers others,
                              std::shared_ptr<waiting_answers> answers)
     : actor_base(std::move(context)), others_(std::move(others)), answers_(std::move(answers)) {}
@@ -39,10 +47,14 @@ void operator_desk::take(const api_request& asked) {
 }
 
 template <class Question, class OnAnswer>
-void operator_desk::ask_bridge(const api_request& asked, std::chrono::seconds patience, Question question,
+void operator_desk::ask_bridge(const api_request& asked, std::chrono::milliseconds patience, Question question,
                                OnAnswer on_answer) {
+  if (is_stop(asked))
+    patience = stop_timeout;
   ask(others_.bridge, patience, std::move(question), std::move(on_answer),
-      [this, ticket = asked.ticket](const runtime::ask_error& why) {
+      [this, asked, ticket = asked.ticket](const runtime::ask_error& why) {
+        if (may_stop(asked))
+          return stop_directly(asked);
         const bool was_not_taken = why.code == runtime::ask_errc::not_taken;
         answers_->resolve(ticket, problem(was_not_taken ? 503 : 504, "operator_bridge does not answer: " + why.what +
                                                                          "; hold and return go out with godwitd ctl"));
@@ -52,6 +64,7 @@ void operator_desk::ask_bridge(const api_request& asked, std::chrono::seconds pa
 void operator_desk::identify(const api_request& asked) {
   ask_bridge(asked, answer_timeout, operator_bridge::identify{asked.token_hash},
              [this, asked](const operator_bridge::identity& who) {
+               remember(asked.token_hash, who);
                if (who.is_known) {
                  answers_->prove(asked.ticket, who.who.session);
                  return take_known(asked, who);
@@ -60,6 +73,47 @@ void operator_desk::identify(const api_request& asked) {
                  note_stranger(asked, std::string(io::name_of(asked.what)) + " from " + asked.from, "no_session");
                answers_->resolve(asked.ticket, problem(401, "log in first: there is no session, or it is over"));
              });
+}
+
+void operator_desk::remember(const std::string& token_hash, const operator_bridge::identity& who) {
+  if (!who.is_known) {
+    identified_.erase(token_hash);
+    return;
+  }
+  std::erase_if(identified_,
+                [&](const auto& each) { return each.second.ends_ns != 0 && each.second.ends_ns <= wall_ns(); });
+  if (identified_.size() < max_identified || identified_.contains(token_hash))
+    identified_.insert_or_assign(token_hash, who);
+}
+
+// operator_bridge would let each operator hold the vehicle and bring it home; it does not answer.
+bool operator_desk::may_stop(const api_request& asked) {
+  const auto found = identified_.find(asked.token_hash);
+  return is_stop(asked) && found != identified_.end() && found->second.who.role >= operators::role::operator_ &&
+         (found->second.ends_ns == 0 || found->second.ends_ns > wall_ns());
+}
+
+void operator_desk::stop_directly(const api_request& asked) {
+  const auto who = identified_.at(asked.token_hash).who;
+  auto said = asked.said.what;
+  said.by = who.name;
+  const auto what = std::string(io::name_of(said.kind)) + " past operator_bridge";
+  const auto end = [this, asked, who, what](const operator_bridge::command_answer& answer) {
+    tell(others_.bridge,
+         operator_bridge::audit_note{who, what, std::string(io::name_of(answer.verdict)), answer.reason});
+    answers_->resolve(asked.ticket, answer_of(asked.said.id, answer));
+  };
+  if (const auto until_ns = asked.said.valid_until_ns;
+      said.kind != operators::command_kind::pause && until_ns != 0 && wall_ns() > until_ns)
+    return end({verdict::late, "its time had passed before it could be sent; repeat the command"});
+  ask(
+      others_.flight, answer_timeout, said,
+      [end](const operators::answer& answer) {
+        end({answer.is_taken ? verdict::taken : verdict::refused, answer.reason});
+      },
+      [end](const runtime::ask_error&) {
+        end({verdict::unknown, "the executor does not answer; look at the vehicle, and repeat the command"});
+      });
 }
 
 void operator_desk::take_known(const api_request& asked, const operator_bridge::identity& who) {
@@ -199,6 +253,7 @@ void operator_desk::override_rule(const api_request& asked, const principal& who
 void operator_desk::log_out(const api_request& asked, const principal& who) {
   ask_bridge(asked, answer_timeout, operator_bridge::end_session{who},
              [this, asked](const operator_bridge::session_ended&) {
+               identified_.erase(asked.token_hash);
                answers_->resolve(asked.ticket, {204, {}, {}, {}}, waiting_answers::cookie::ends_session);
              });
 }

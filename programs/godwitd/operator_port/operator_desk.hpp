@@ -3,19 +3,22 @@
 //   request ──who comes with this token?──> identity ──> command, control, audit, points, override, log out ──> answer
 //            └─ a password that was right, a link ──> session_answer ──> answer with a cookie
 //
-// Who is not known is answered 401, and stands in the audit as a stranger. Errors: as answers with a problem document.
-// Thread: as actor_base.
+// Who is not known is answered 401, and stands in the audit as a stranger. Where operator_bridge does not answer, a
+// hold or a return of an operator whom it has identified before goes to the executor itself. Errors: as answers with a
+// problem document. Thread: as actor_base.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "io/fields/field_table.hpp"
 #include "messages/failsafe/types.hpp"
+#include "messages/operator/types.hpp"
 #include "messages/operator_bridge/handle.hpp"
 #include "messages/scan_controller/handle.hpp"
 #include "programs/godwitd/audit_reader.hpp"
@@ -68,9 +71,12 @@ using desk_inlet = runtime::mailbox<runtime::tells<api_request>>;
 using bridge_handle = runtime::combine<operator_bridge::desk_handle, operator_bridge::door_handle>;
 using override_handle = runtime::mailbox<runtime::asks<failsafe::override_rule, failsafe::override_answer>>;
 
+using stop_handle = runtime::mailbox<runtime::asks<operators::command, operators::answer>>;
+
 // Whom it asks.
 struct desk_peers {
   bridge_handle bridge;
+  stop_handle flight; // for holds and returns alone
   scan_controller::operator_handle points;
   override_handle failsafe;
   // Numbers of points that the camera has shown; empty: there is no camera. Does not block.
@@ -82,6 +88,9 @@ class operator_desk final : public runtime::actor_base<desk_inlet> {
 public:
   static constexpr std::chrono::seconds answer_timeout{2};
   static constexpr std::chrono::seconds command_timeout{4}; // longer than operator_bridge takes
+  // A hold or a return: then it goes past operator_bridge, to the executor.
+  static constexpr std::chrono::milliseconds stop_timeout{300};
+  static constexpr std::size_t max_identified = 64; // as many sessions as operator_bridge keeps, and programs
 
   operator_desk(runtime::spawn_context context, desk_peers others, std::shared_ptr<waiting_answers> answers);
   ~operator_desk() override;
@@ -94,6 +103,9 @@ private:
   void identify(const api_request& asked);
   void take_known(const api_request& asked, const operator_bridge::identity& who);
   void command(const api_request& asked, const operators::principal& who);
+  [[nodiscard]] bool may_stop(const api_request& asked);
+  void stop_directly(const api_request& asked);
+  void remember(const std::string& token_hash, const operator_bridge::identity& who);
   void view_control(const api_request& asked, const operators::principal& who);
   void change_control(const api_request& asked, const operators::principal& who);
   void read_audit(const api_request& asked, const operators::principal& who);
@@ -107,9 +119,10 @@ private:
   void opened(const api_request& asked, const operator_bridge::session_answer& answer);
   void note_stranger(const api_request& asked, const std::string& what, const std::string& outcome);
   template <class Question, class OnAnswer>
-  void ask_bridge(const api_request& asked, std::chrono::seconds patience, Question question, OnAnswer on_answer);
+  void ask_bridge(const api_request& asked, std::chrono::milliseconds patience, Question question, OnAnswer on_answer);
 
   desk_peers others_;
+  std::map<std::string, operator_bridge::identity> identified_; // by the hash of the token; sessions that may be open
   std::shared_ptr<waiting_answers> answers_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <iterator>
 #include <map>
 #include <memory>
@@ -187,7 +188,7 @@ public:
     answers = std::make_shared<waiting_answers>(wanted.is_secure);
     desk = world.actors().add<operator_desk>(
         {.name = "operator_desk"}, {},
-        desk_peers{bridge, points, failsafe, [this] { return pictured; },
+        desk_peers{bridge, executor, points, failsafe, [this] { return pictured; },
                    [this](const auto& query, auto then) { then(godwit::audit_support::audit_rows(disk).read(query)); }},
         answers);
     const auto flight = world.actors().add<flight_stand_in>({.name = "flight"}, {}, &is_in_flight, &missions);
@@ -252,6 +253,8 @@ public:
     std::string got;
     for (int turns = 0; turns < 10'000; ++turns) {
       world.run_until_idle();
+      if (a_turn_takes.count() != 0)
+        world.advance(a_turn_takes);
       context.restart();
       context.poll();
       std::array<char, 4096> piece{};
@@ -301,6 +304,7 @@ public:
   std::vector<failsafe::override_rule> overridden;
   std::vector<mission::document> missions; // that were handed over
   bool is_in_flight = false;
+  std::chrono::milliseconds a_turn_takes{0}; // while an answer is waited for; 0: no time passes
   // Where files are read: at once, unless a test puts something else here.
   std::function<bool(const std::function<void()>& work)> run_in_background = [](const auto& work) {
     work();

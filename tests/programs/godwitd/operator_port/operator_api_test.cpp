@@ -82,6 +82,30 @@ TEST(operator_api, hold_and_return_are_open_to_every_operator) {
   EXPECT_EQ(world.obeyed.size(), 2U);
 }
 
+// Of whom it has identified before; nothing that moves the vehicle goes this way.
+TEST(operator_api, hold_and_return_of_a_known_operator_go_out_while_operator_bridge_does_not_answer) {
+  api_world world;
+  const auto bob = world.log_in("bob", role::operator_);
+  const auto eve = world.log_in("eve", role::viewer);
+  for (const auto& each : {bob, eve})
+    ASSERT_EQ(world.ask_as(each, "GET", "/api/v1/session").status, 200U);
+  const auto stranger = world.log_in("carol", role::operator_);
+  world.a_turn_takes = 20ms;
+  const auto status_of = [&](const std::string& who, const nlohmann::json& command) {
+    world.world.hang("operator_bridge");
+    return world.ask_as(who, "POST", commands, command).status;
+  };
+  EXPECT_EQ(status_of(bob, {{"id", "h"}, {"command", "pause"}}), 200U);
+  EXPECT_EQ(status_of(bob, {{"id", "r"}, {"command", "come_home"}, {"valid_until", world.utc_in(5)}}), 200U);
+  ASSERT_EQ(world.obeyed.size(), 2U);
+  EXPECT_EQ(world.obeyed[0].by, "bob");
+  EXPECT_EQ(status_of(bob, {{"id", "l"}, {"command", "come_home"}, {"valid_until", world.utc_in(-1)}}), 408U);
+  EXPECT_EQ(status_of(stranger, {{"id", "s"}, {"command", "pause"}}), 504U);
+  EXPECT_EQ(status_of(eve, {{"id", "e"}, {"command", "pause"}}), 504U);
+  EXPECT_EQ(status_of(bob, world.command("resume", "x")), 504U);
+  EXPECT_EQ(world.obeyed.size(), 2U);
+}
+
 TEST(operator_api, what_is_stale_is_answered_with_the_state_as_it_is) {
   api_world world;
   auto stale = world.command("resume", "s1");

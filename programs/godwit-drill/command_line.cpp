@@ -60,6 +60,13 @@ void add_flight_options(CLI::App& command, flight_drill which, flight_drill_opti
         ->check([](const std::string& text) {
           return seed_range_from(text) ? std::string() : "seeds are A..B or A, and A is not after B: " + text;
         });
+    command
+        .add_option_function<std::string>(
+            "--shard", [&given](const std::string& text) { given.shard = *shard_from(text); },
+            "Part I of N of these, to fly the others elsewhere: I/N")
+        ->check([](const std::string& text) {
+          return shard_from(text) ? std::string() : "a part is I/N, with I from 1 to N: " + text;
+        });
     if (which == flight_drill::simulate)
       command
           .add_option("--stream-hz", given.stream_hz,

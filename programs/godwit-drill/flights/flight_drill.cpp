@@ -252,25 +252,59 @@ int say_end(const drill_book& book, const flight_list& flights, const flight_dri
 
 } // namespace
 
+namespace {
+
+bool read_whole(std::string_view digits, std::uint64_t& to) {
+  const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), to);
+  return code == std::errc() && end == digits.data() + digits.size();
+}
+
+} // namespace
+
 std::optional<seed_range> seed_range_from(const std::string& text) {
   const auto dots = text.find("..");
   seed_range result;
-  const auto read = [](std::string_view digits, std::uint64_t& to) {
-    const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), to);
-    return code == std::errc() && end == digits.data() + digits.size();
-  };
   const std::string_view whole = text;
-  if (!read(whole.substr(0, dots), result.first))
+  if (!read_whole(whole.substr(0, dots), result.first))
     return std::nullopt;
   result.last = result.first;
-  if (dots != std::string::npos && !read(whole.substr(dots + 2), result.last))
+  if (dots != std::string::npos && !read_whole(whole.substr(dots + 2), result.last))
     return std::nullopt;
   if (result.last < result.first || result.last - result.first == UINT64_MAX)
     return std::nullopt;
   return result;
 }
 
-int run_flight_drill(const flight_drill_options& options) {
+std::optional<shard> shard_from(const std::string& text) {
+  const auto slash = text.find('/');
+  shard result;
+  const std::string_view whole = text;
+  if (slash == std::string::npos || !read_whole(whole.substr(0, slash), result.number) ||
+      !read_whole(whole.substr(slash + 1), result.of) || result.number < 1 || result.number > result.of)
+    return std::nullopt;
+  return result;
+}
+
+std::optional<seed_range> part_of(const seed_range& all, const shard& which) {
+  const auto seeds = all.last - all.first + 1;
+  const auto each = seeds / which.of;
+  const auto longer = seeds % which.of; // so many parts have one more
+  const auto before = which.number - 1;
+  const auto length = each + (before < longer ? 1 : 0);
+  if (length == 0)
+    return std::nullopt;
+  const auto first = all.first + before * each + std::min(before, longer);
+  return seed_range{first, first + length - 1};
+}
+
+int run_flight_drill(const flight_drill_options& wanted) {
+  const auto part = part_of(wanted.seeds, wanted.shard);
+  if (!part) {
+    std::printf("there are fewer seeds than parts: none is left for this one\n");
+    return static_cast<int>(exit_code::ok);
+  }
+  auto options = wanted;
+  options.seeds = *part;
   const flight_list flights(options);
   if (flights.size() == 0) {
     std::fprintf(stderr, "godwit-drill: there is no flight %s in this drill\n", options.only.c_str());

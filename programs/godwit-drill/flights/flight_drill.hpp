@@ -27,12 +27,26 @@ struct seed_range {
   return which == flight_drill::simulate || which == flight_drill::interventions;
 }
 
-// "A..B" or "A". Nothing: it is neither, or A is behind B.
+// "A..B" or "A". Nothing: it is neither, or A is after B.
 [[nodiscard]] std::optional<seed_range> seed_range_from(const std::string& text);
+
+// One of the machines that share a range of seeds.
+struct shard {
+  std::uint64_t number = 1; // from 1 on
+  std::uint64_t of = 1;
+};
+
+// "I/N", with I from 1 to N. Nothing: it is not.
+[[nodiscard]] std::optional<shard> shard_from(const std::string& text);
+
+// The seeds of its machine: N parts that follow each other, of which none is more than one seed longer. Nothing: there
+// are fewer seeds than machines before this one.
+[[nodiscard]] std::optional<seed_range> part_of(const seed_range& all, const shard& which);
 
 struct flight_drill_options {
   flight_drill which = flight_drill::simulate;
   seed_range seeds;                    // of a drill by seed
+  drill::shard shard;                  // of these: the part that is flown
   std::vector<std::uint64_t> without;  // of a drill by seed: faults that no flight has
   std::optional<sim::personality> who; // else all that the drill knows
   std::string only;                    // name of the one case that is flown, and its story told

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "programs/godwit-drill/flights/flight_drill.hpp"
+#include "programs/godwit-drill/flights/random_flight.hpp"
 #include "tests/programs/godwit-drill/flights/every_vehicle.hpp"
 
 namespace flight_cases_test {
@@ -104,6 +105,12 @@ TEST(people_cases, a_person_who_takes_the_vehicle_is_left_alone_and_an_order_beh
   EXPECT_NE(bad.flaws.front().find("while a person had the vehicle"), std::string::npos) << bad.flaws.front();
 }
 
+// Nothing took time there, and the plan was read again and again.
+TEST(random_flight, a_sign_of_another_plan_in_the_instant_of_a_proof_does_not_stop_the_world) {
+  const auto outcome = fly_random(3007472, {}, {}, {});
+  EXPECT_TRUE(outcome.held()) << outcome.flaws.front() << '\n' << outcome.story;
+}
+
 TEST(seed_range, is_one_seed_or_the_first_and_the_last) {
   ASSERT_TRUE(seed_range_from("7"));
   EXPECT_EQ(seed_range_from("7")->last, 7U);
@@ -112,6 +119,32 @@ TEST(seed_range, is_one_seed_or_the_first_and_the_last) {
   EXPECT_EQ(seed_range_from("3..12")->last, 12U);
   for (const auto* wrong : {"", "..", "3..", "..4", "5..4", "a", "1..2..3", "-1", "1.5", "0..18446744073709551615"})
     EXPECT_FALSE(seed_range_from(wrong)) << wrong;
+}
+
+TEST(shard, is_a_number_of_so_many) {
+  ASSERT_TRUE(shard_from("3/8"));
+  EXPECT_EQ(shard_from("3/8")->number, 3U);
+  EXPECT_EQ(shard_from("3/8")->of, 8U);
+  for (const auto* wrong : {"", "/", "3", "0/8", "9/8", "1/0", "-1/8", "1/8/2", "a/b"})
+    EXPECT_FALSE(shard_from(wrong)) << wrong;
+}
+
+TEST(shard, together_they_fly_each_seed_once) {
+  for (const std::uint64_t of : {1U, 3U, 7U, 12U}) {
+    std::uint64_t next = 5;
+    for (std::uint64_t number = 1; number <= of; ++number) {
+      const auto part = part_of({5, 14}, {number, of});
+      if (number > 10) {
+        EXPECT_FALSE(part) << number << '/' << of;
+        continue;
+      }
+      ASSERT_TRUE(part) << number << '/' << of;
+      EXPECT_EQ(part->first, next);
+      EXPECT_LE(part->last - part->first, 10 / of);
+      next = part->last + 1;
+    }
+    EXPECT_EQ(next, 15U) << of;
+  }
 }
 
 } // namespace flight_cases_test

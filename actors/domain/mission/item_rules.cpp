@@ -80,6 +80,11 @@ std::optional<document_problem> jump_fault(std::span<const item> items, std::siz
   return std::nullopt;
 }
 
+void add_polygon_problems(std::span<const vertex> corners, const std::string& pointer, problems_list& problems) {
+  if (auto fault = polygon_fault(corners))
+    problems.push_back({pointer, std::move(*fault), "at least 3 different corners, edges that do not cross or touch"});
+}
+
 } // namespace
 
 void add_jump_problems(std::span<const item> items, const std::string& pointer, problems_list& problems) {
@@ -89,11 +94,6 @@ void add_jump_problems(std::span<const item> items, const std::string& pointer, 
         fault->pointer = pointer_to(pointer_to(pointer, i), "to");
         problems.push_back(*std::move(fault));
       }
-}
-
-void add_polygon_problems(std::span<const vertex> corners, const std::string& pointer, problems_list& problems) {
-  if (auto fault = polygon_fault(corners))
-    problems.push_back({pointer, std::move(*fault), "at least 3 different corners, edges that do not cross or touch"});
 }
 
 void add_position_problems(const position& place, const std::string& pointer, problems_list& problems) {

@@ -19,10 +19,6 @@ void add_item_problems(std::span<const item> items, const std::string& pointer,
 void add_jump_problems(std::span<const item> items, const std::string& pointer,
                        std::vector<document_problem>& problems);
 
-// The same for one polygon.
-void add_polygon_problems(std::span<const vertex> corners, const std::string& pointer,
-                          std::vector<document_problem>& problems);
-
 // The same for the position of a return point, and for a planned home.
 void add_position_problems(const position& place, const std::string& pointer, std::vector<document_problem>& problems);
 void add_position_problems(const planned_home& place, const std::string& pointer,

@@ -78,6 +78,17 @@ std::optional<std::string> polygon_fault(std::span<const vertex> corners) {
   return std::nullopt;
 }
 
+std::optional<std::string> fence_fault(std::span<const vertex> corners) {
+  constexpr std::size_t least_corners = 3;
+  std::vector<vertex> different;
+  for (const auto& each : unwrapped(corners))
+    if (different.size() < least_corners && std::ranges::find(different, each) == different.end())
+      different.push_back(each);
+  return different.size() < least_corners
+             ? std::optional("has " + std::to_string(different.size()) + " different corners")
+             : std::nullopt;
+}
+
 double signed_area(std::span<const vertex> corners) {
   const auto flat = unwrapped(corners);
   double doubled = 0;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "actors/domain/mission/item_rules.hpp"
+#include "actors/domain/mission/polygon_rules.hpp"
 #include "actors/domain/mission/utc_text.hpp"
 
 namespace godwit::mission {
@@ -33,7 +34,8 @@ void add_item_version_problem(const document& value, document_problems& problems
 }
 
 void add_fence_problems(const geofence& fence, const std::string& pointer, document_problems& problems) {
-  add_polygon_problems(fence.vertices, pointer_to(pointer, "vertices"), problems);
+  if (auto fault = fence_fault(fence.vertices))
+    problems.push_back({pointer_to(pointer, "vertices"), std::move(*fault), "at least 3 different corners"});
   if (fence.floor_m && fence.ceiling_m && !(*fence.floor_m < *fence.ceiling_m))
     problems.push_back({pointer_to(pointer, "floor_m"), "is not below ceiling_m", "a floor below the ceiling"});
 }

@@ -8,6 +8,7 @@
 
 #include "actors/domain/geo/distance_text.hpp"
 #include "actors/domain/geofence/fence_name.hpp"
+#include "actors/domain/mission/polygon_rules.hpp"
 
 namespace godwit::executor::preflight {
 
@@ -82,6 +83,11 @@ result check_fences(const facts& seen, const settings&) {
     return fail("The way of the mission was not compared with its fences yet; wait.");
   if (!now.way->empty())
     return fail("The mission does not keep to its fences; change it or them. " + summary_of(messages_of(*now.way)));
+  for (std::size_t i = 0; i < now.document->geofences.size(); ++i)
+    if (const auto fault = mission::polygon_fault(now.document->geofences[i].vertices))
+      return degraded("The way of the mission keeps to its fences, but " + geofence::fence_name(i) + ' ' + *fault +
+                      ". As for the vehicle, places around which it runs an even number of times are outside of it. "
+                      "Check that this is meant.");
   return pass("The way of the mission keeps to its fences.");
 }
 

@@ -49,6 +49,16 @@ TEST(fence_set, an_exclusion_inside_an_inclusion_is_a_breach) {
   EXPECT_FALSE(judge.breach_at(place_at(50, 0)));
 }
 
+// As ArduPilot and PX4 count: PNPOLY, the even-odd rule.
+TEST(fence_set, where_a_fence_overlaps_itself_is_outside_of_it) {
+  const std::vector<metres> star{{0, 100}, {59, -81}, {-95, 31}, {95, 31}, {-59, -81}};
+  const auto stays_in = set_of({keep_in(star)});
+  EXPECT_FALSE(stays_in.breach_at(place_at(0, 60))) << "in its upper point";
+  EXPECT_TRUE(stays_in.breach_at(place_at(0, 0))) << "in its middle";
+  EXPECT_TRUE(stays_in.breach_on(place_at(0, 60), place_at(40, -60))) << "through the middle, from point to point";
+  EXPECT_FALSE(set_of({keep_out(star)}).breach_at(place_at(0, 0)));
+}
+
 TEST(fence_set, on_the_edge_counts_as_inside_for_both) {
   const auto judge = set_of({keep_in(square(100)), keep_out(square(10))});
   EXPECT_FALSE(judge.breach_at(place_at(100, 0))) << "inside of what keeps in";

@@ -1,9 +1,11 @@
 // Random fences, places and ways for tests: from half a metre to 100 km, across the antimeridian, around poles, dented,
-// with floors and ceilings; the places often on a side or a corner, or some millimetres beside it. Thread: pure.
+// crossing themselves, with floors and ceilings; the places often on a side or a corner, or some millimetres beside it.
+// Thread: pure.
 #pragma once
 
 #include <cstdint>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "actors/domain/geofence/place.hpp"
@@ -62,6 +64,8 @@ private:
     const geo::local_point centre{number(-0.7, 0.7) * scale_m_, number(-0.7, 0.7) * scale_m_};
     auto result = fence(one_of({mission::fence_kind::inclusion, mission::fence_kind::exclusion}),
                         star(random_, centre, 0.2 * size * scale_m_, size * scale_m_), origin_);
+    if (whole(0, 2) == 0) // crosses itself more often than not
+      std::swap(result.vertices.front(), result.vertices[result.vertices.size() / 2]);
     if (whole(0, 1) == 0)
       result.floor_m = one_of<double>({0, 20});
     if (whole(0, 1) == 0)

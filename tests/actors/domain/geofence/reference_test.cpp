@@ -37,7 +37,8 @@ seen_from_place look_around(const geo::point& at, const mission::geofence& fence
     const double share = std::clamp(-(ax * (bx - ax) + ay * (by - ay)) / (length * length), 0.0, 1.0);
     nearest_m = std::min(nearest_m, std::hypot(ax + share * (bx - ax), ay + share * (by - ay)));
   }
-  return {std::abs(angles) > std::numbers::pi, nearest_m};
+  // Once around is inside; where a fence that crosses itself runs around twice is outside again.
+  return {std::lround(angles / (2 * std::numbers::pi)) % 2 != 0, nearest_m};
 }
 
 enum class verdict { clear, breach, too_near_to_say };

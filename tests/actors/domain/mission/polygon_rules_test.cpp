@@ -44,6 +44,12 @@ TEST(polygon_rules, a_polygon_may_lie_over_the_180th_meridian) {
   EXPECT_EQ(polygon_fault(corners{{0, 180}, {1, 179}, {0, -180}}), "has corner 2 at the place of corner 0");
 }
 
+TEST(polygon_rules, a_fence_may_cross_itself_and_have_a_corner_twice_and_has_three_different_ones) {
+  EXPECT_EQ(fence_fault(corners{{0, 0}, {1, 1}, {0, 1}, {1, 0}}), std::nullopt);
+  EXPECT_EQ(fence_fault(corners{{0, 0}, {0, 1}, {1, 1}, {0, 0}, {-1, 0}}), std::nullopt);
+  EXPECT_EQ(fence_fault(corners{{0, 180}, {1, 179}, {0, -180}, {1, 179}}), "has 2 different corners");
+}
+
 TEST(polygon_rules, the_sign_of_the_area_tells_the_direction) {
   EXPECT_GT(signed_area(corners{{0, 179}, {0, -179}, {1, -179}}), 0);
   EXPECT_LT(signed_area(corners{{0, 179}, {1, -179}, {0, -179}}), 0);

@@ -78,8 +78,7 @@ TEST(read_mission, what_is_wrong_is_said_with_its_place_and_what_is_allowed) {
       {"/geofences/1/vertices/2",
        {{"latitude", 47.399}, {"longitude", 8.55}},
        rule,
-       "/geofences/1/vertices has corner 2 at the place of corner 0; allowed: at least 3 different corners, edges "
-       "that do not cross or touch"},
+       "/geofences/1/vertices has 2 different corners; allowed: at least 3 different corners"},
       {"/items/3/polygon/1",
        {{"latitude", 47.3985}, {"longitude", 8.5456}},
        rule,

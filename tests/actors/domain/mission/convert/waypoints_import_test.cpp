@@ -105,8 +105,8 @@ TEST(waypoints_import, a_fence_is_read_as_a_fence_with_its_point_of_return) {
   EXPECT_TRUE(result->losses.empty());
   EXPECT_EQ(import_waypoints(fence, {true, {}}).error().error.message(),
             "the document holds a fence alone, which is no mission");
-  const auto crossing = import_waypoints("0 0\n47 8\n48 9\n47 9\n48 8\n", alone);
-  EXPECT_EQ(crossing.error().error.problems.at(0).pointer, "line 2");
+  const auto point = import_waypoints("0 0\n47 8\n48 9\n47 8\n48 9\n", alone);
+  EXPECT_EQ(point.error().error.problems.at(0).pointer, "line 2");
 }
 
 TEST(waypoints_import, rally_points_alone_are_no_mission_and_are_written_again) {

@@ -42,6 +42,18 @@ TEST(fences_check, fails_when_a_leg_crosses_an_exclusion_though_its_ends_are_out
   EXPECT_TRUE(has(found.sentence, "comes into geofence 1")) << found.sentence;
 }
 
+// As the vehicle judges it, which asks nobody: an operator sees that the fence may not be what was meant.
+TEST(fences_check, is_degraded_when_a_fence_crosses_itself_and_the_way_keeps_to_it) {
+  auto fence = tests::inclusion(tests::box(-50, -50, 200, 200));
+  const auto first = fence.vertices.front();
+  fence.vertices.insert(
+      fence.vertices.end(),
+      {first, {first.latitude - 0.01, first.longitude}, {first.latitude - 0.01, first.longitude - 0.01}});
+  const auto found = with(mission_within(fence));
+  EXPECT_EQ(found.how, verdict::degraded) << found.sentence;
+  EXPECT_TRUE(has(found.sentence, "geofence 1 has corner 4 at the place of corner 0")) << found.sentence;
+}
+
 TEST(fences_check, fails_before_the_way_was_looked_at) {
   auto seen = good_facts();
   seen.mission.way.reset();

@@ -12,6 +12,7 @@
 #include "messages/mission/item.hpp"
 #include "messages/mission/item_fields.hpp"
 #include "messages/mission/place.hpp"
+#include "messages/mission/vehicle_profile.hpp"
 
 namespace godwit::mission {
 
@@ -70,17 +71,18 @@ struct document {
   // Where the vehicle's own return leads instead of home, and its fence's: for the vehicle alone. Of version 2.
   std::optional<std::vector<position>> rally_points{}; // never empty
   std::optional<position> breach_return_point{};
+  std::optional<vehicle_profile> vehicle{}; // of the file, for which it was drawn; of version 2
 
   GODWIT_FIELDS(document, "mission.document", mission_id, schema_version, revision, items, geofences, return_point,
-                planned_home, rally_points, breach_return_point);
+                planned_home, rally_points, breach_return_point, vehicle);
   friend bool operator==(const document&, const document&) = default;
 };
 
 // Version 1 of the contract can not express it.
 [[nodiscard]] inline bool needs_version_2(const document& value) {
   const auto has_circle = [](const geofence& each) { return each.circle.has_value(); };
-  return value.rally_points || value.breach_return_point || std::ranges::any_of(value.items, is_of_version_2) ||
-         std::ranges::any_of(value.geofences, has_circle);
+  return value.rally_points || value.breach_return_point || value.vehicle ||
+         std::ranges::any_of(value.items, is_of_version_2) || std::ranges::any_of(value.geofences, has_circle);
 }
 
 } // namespace godwit::mission

@@ -26,9 +26,10 @@ void add_item_version_problem(const document& value, document_problems& problems
   if (!needs_version_2(value) || !value.schema_version.starts_with("1."))
     return;
   const auto newer = std::ranges::find_if(value.items, is_of_version_2);
-  const auto why = newer == value.items.end()
-                       ? std::string("circles, rally points and a point of return of the fence are of version 2")
-                       : "item " + in_quotes(id_of(*newer)) + " is of kind " + std::string(kind_of(*newer));
+  const auto why =
+      newer == value.items.end()
+          ? std::string("circles, rally points, a point of return of the fence and a vehicle are of version 2")
+          : "item " + in_quotes(id_of(*newer)) + " is of kind " + std::string(kind_of(*newer));
   problems.push_back(
       {"/schema_version", "is " + in_quotes(value.schema_version) + ", and " + why, std::string(schema_version_2)});
 }

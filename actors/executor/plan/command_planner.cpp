@@ -98,7 +98,8 @@ item_planner::outcome item_planner::move(const mission::command_item& item) {
   return std::nullopt;
 }
 
-// With wings the place gives the direction; a PX4 flies there once it is up.
+// With wings the place gives the direction; a PX4 flies there once it is up. Without a place it climbs where it stands,
+// or towards the next place; an ArduPilot reads that out of 0/0, and a PX4 would fly there.
 item_planner::outcome item_planner::take_off(const mission::command_item& item) {
   if (writer_.has_moved() && !writer_.is_branch())
     return error(plan_errc::late_take_off, "A take-off does not come in the middle of a flight",
@@ -110,8 +111,16 @@ item_planner::outcome item_planner::take_off(const mission::command_item& item) 
     return error(plan_errc::no_take_off, "It takes off to a height that is not above the ground it stands on",
                  "give it a height above the ground");
   writer_.climb_to(top_m);
-  writer_.add_take_off(command_item_of(item, setting_));
   const auto place = mission::place_of(item);
+  auto sent = command_item_of(item, setting_);
+  if (!place && !is_ardupilot(setting_)) {
+    const auto next = is(vehicle_class::fixed_wing) ? place_after(mission_, index_) : std::nullopt;
+    const auto towards =
+        takeoff_item(next ? mission::position{next->latitude, next->longitude, 0} : writer_.start(), setting_);
+    sent.x = towards.x;
+    sent.y = towards.y;
+  }
+  writer_.add_take_off(sent);
   if (place && !is_ardupilot(setting_) && !is(vehicle_class::fixed_wing))
     writer_.cruise_to({place->latitude, place->longitude, top_m});
   return std::nullopt;

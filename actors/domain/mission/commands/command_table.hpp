@@ -19,41 +19,11 @@
 #include <cstdint>
 #include <string_view>
 
-#include "io/fields/field_table.hpp"
+#include "messages/mission/vehicle_profile.hpp"
 
 namespace godwit::mission {
 
 enum class command_class { moves, acts, waits, flow, guarded, never, fence, rally };
-
-// The vehicles that answer differently.
-enum class vehicle_profile {
-  arducopter,
-  arduplane,
-  quadplane, // ArduPilot
-  ardurover,
-  px4_multicopter,
-  px4_vtol,
-  px4_fixed_wing,
-  px4_rover
-};
-
-constexpr auto enum_names(vehicle_profile) {
-  return io::names<vehicle_profile>({{vehicle_profile::arducopter, "arducopter"},
-                                     {vehicle_profile::arduplane, "arduplane"},
-                                     {vehicle_profile::quadplane, "quadplane"},
-                                     {vehicle_profile::ardurover, "ardurover"},
-                                     {vehicle_profile::px4_multicopter, "px4-multicopter"},
-                                     {vehicle_profile::px4_vtol, "px4-vtol"},
-                                     {vehicle_profile::px4_fixed_wing, "px4-fixed-wing"},
-                                     {vehicle_profile::px4_rover, "px4-rover"}});
-}
-
-[[nodiscard]] constexpr bool is_px4(vehicle_profile each) { return each >= vehicle_profile::px4_multicopter; }
-// It hovers or drives: no wings that need a pitch, a runway or a circle.
-[[nodiscard]] constexpr bool has_wings(vehicle_profile each) {
-  return each == vehicle_profile::arduplane || each == vehicle_profile::quadplane ||
-         each == vehicle_profile::px4_vtol || each == vehicle_profile::px4_fixed_wing;
-}
 
 // What a command sets for all that follows it, and what a vehicle forgets when it lands, starts again or gets another
 // plan. The rest of a mission sets it again; outputs of servos, relays and grippers stay as they are, and are no state.

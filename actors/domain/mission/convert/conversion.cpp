@@ -107,6 +107,10 @@ import_result finished(const document& given, loss_list losses, const import_opt
         conversion_error{bounded({document_errc::wrong_form, {std::move(no_items)}}, source), std::move(losses)});
   }
   auto mission = given;
+  // What is for any vehicle or for the usual one stays in version 1, which more readers know.
+  if (const auto vehicle = std::exchange(mission.vehicle, std::nullopt);
+      vehicle != vehicle_profile::px4_multicopter || needs_version_2(mission))
+    mission.vehicle = vehicle;
   raise_version(mission);
   // By way of its text: what an importer gives away has passed the same checks as what the service sends.
   auto checked = read<document>(to_text(is_fence_alone ? with_an_item(mission) : mission));

@@ -22,6 +22,7 @@ struct import_options {
   std::optional<vehicle_profile> vehicle{}; // who is to fly it; absent: as far as the file says it
   bool fence_alone = false;   // what holds a fence and no items is taken: to be written again, nobody flies it
   allowed_commands allowed{}; // flight.allowed_commands
+  bool keeps_unknown = false; // properties that the importer does not know are no losses
 };
 
 struct imported {

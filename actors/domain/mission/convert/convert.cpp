@@ -66,6 +66,15 @@ tl::unexpected<conversion_error> not_written(std::string what, std::string allow
       conversion_error{bounded({document_errc::wrong_form, {{{}, std::move(what), std::move(allowed)}}}, text), {}});
 }
 
+// What is written in the form in which it came keeps what the importer does not know. Nothing: it is not read as a
+// whole.
+std::optional<std::string> whole_plan_again(std::string_view text, import_options options) {
+  options.allow_partial = false;
+  options.keeps_unknown = true;
+  const auto whole = import_plan(text, options);
+  return whole ? plan_again(text) : std::nullopt;
+}
+
 bool ends_with(std::string_view name, std::string_view ending) {
   return name.size() >= ending.size() &&
          std::ranges::equal(name.substr(name.size() - ending.size()), ending, [](char found, char wanted) {
@@ -92,6 +101,9 @@ tl::expected<exported, conversion_error> convert(std::string_view text, mission_
                                                  const import_options& options) {
   auto reading = options;
   reading.fence_alone = true;
+  if (from == mission_format::plan && to == mission_format::plan)
+    if (auto again = whole_plan_again(text, reading))
+      return exported{*std::move(again), {}};
   auto read_in = import_mission(text, from, reading);
   if (!read_in)
     return tl::unexpected(std::move(read_in.error()));

@@ -92,12 +92,12 @@ exported export_geojson(const document& mission) {
   if (path.size() > 1)
     features.push_back(feature("path", ordered_json{{"type", "LineString"}, {"coordinates", std::move(path)}},
                                ordered_json::object()));
-  const ordered_json collection{{"type", "FeatureCollection"},
-                                {"godwit",
-                                 {{"mission_id", mission.mission_id},
-                                  {"schema_version", mission.schema_version},
-                                  {"revision", mission.revision}}},
-                                {"features", std::move(features)}};
+  ordered_json head{
+      {"mission_id", mission.mission_id}, {"schema_version", mission.schema_version}, {"revision", mission.revision}};
+  if (mission.vehicle)
+    head["vehicle"] = io::name_of(*mission.vehicle);
+  const ordered_json collection{
+      {"type", "FeatureCollection"}, {"godwit", std::move(head)}, {"features", std::move(features)}};
   constexpr int indent = 2;
   return {collection.dump(indent) + '\n', {}};
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <initializer_list>
 #include <utility>
 
 #include "actors/domain/mission/commands/item_class.hpp"
@@ -12,22 +12,16 @@ namespace godwit::mission {
 
 namespace {
 
-constexpr double at_home_m = 10; // a take-off as near as this is meant to be at home
 constexpr const char* left_out = "left out";
 
 bool is_above_home(const vehicle_item& each) {
   return each.frame == frame::global_relative || each.frame == frame::global_relative_int;
 }
 
-bool is_none(double value) { return !std::isfinite(value) || value == 0; }
-
 double given_or_zero(double value) { return std::isfinite(value) ? value : 0; }
 
-double metres_between(const vertex& a, const vertex& b) {
-  constexpr double metres_a_degree = 111'195;
-  const auto north = (a.latitude - b.latitude) * metres_a_degree;
-  const auto east = (a.longitude - b.longitude) * metres_a_degree * std::cos(a.latitude * std::numbers::pi / 180);
-  return std::hypot(north, east);
+bool are_zero(const vehicle_item& each, std::initializer_list<std::size_t> params) {
+  return std::ranges::all_of(params, [&](std::size_t n) { return given_or_zero(each.param(n)) == 0; });
 }
 
 std::string new_id(std::size_t count) { return "item-" + std::to_string(count + 1); }
@@ -49,12 +43,8 @@ std::int32_t times_of(const vehicle_item& each) {
 
 } // namespace
 
-import_context context_of(const std::optional<planned_home>& home, bool is_for_px4,
-                          std::optional<vehicle_profile> vehicle, const allowed_commands& allowed) {
-  const bool has_px4 = vehicle ? is_px4(*vehicle) : is_for_px4;
-  if (!home)
-    return {{}, has_px4, vehicle, allowed};
-  return {vertex{home->latitude, home->longitude}, has_px4, vehicle, allowed};
+import_context context_of(bool is_for_px4, std::optional<vehicle_profile> vehicle, const allowed_commands& allowed) {
+  return {vehicle ? is_px4(*vehicle) : is_for_px4, vehicle, allowed};
 }
 
 void item_importer::append(item each, source_place where, std::size_t number) {
@@ -122,16 +112,12 @@ void item_importer::take(const vehicle_item& each) {
 
 std::optional<item> item_importer::planned_of(const vehicle_item& each) const {
   switch (each.command) {
-  case command::vtol_takeoff:
-    return is(vehicle_profile::arducopter) ? takeoff_of(each) : std::nullopt;
   case command::takeoff:
     return takeoff_of(each);
   case command::waypoint:
     return waypoint_of(each);
   case command::loiter_time:
     return loiter_of(each);
-  case command::vtol_land:
-    return is(vehicle_profile::arducopter) ? land_of(each) : std::nullopt;
   case command::land:
     return land_of(each);
   case command::return_to_launch:
@@ -144,17 +130,17 @@ std::optional<item> item_importer::planned_of(const vehicle_item& each) const {
 }
 
 std::optional<item> item_importer::takeoff_of(const vehicle_item& each) const {
-  const bool has_pitch = may_have_wings() && !is_none(each.param(1));
-  const bool is_elsewhere = !is(vehicle_profile::arducopter) && each.has_place() && context_.home &&
-                            metres_between({each.latitude(), each.longitude()}, *context_.home) > at_home_m;
-  if (!is_above_home(each) || !(each.altitude_m() > 0) || has_pitch || has_yaw(each) || is_elsewhere)
+  const bool is_of_rover = is(vehicle_profile::ardurover) || is(vehicle_profile::px4_rover);
+  const bool names_place = std::isfinite(each.latitude()) || std::isfinite(each.longitude());
+  if (!is_above_home(each) || !(each.altitude_m() > 0) || !are_zero(each, {1, 2, 3}) || has_yaw(each) || names_place ||
+      is_of_rover)
     return std::nullopt;
   return takeoff{{}, each.altitude_m()};
 }
 
 std::optional<item> item_importer::waypoint_of(const vehicle_item& each) const {
-  const bool may_pass = !is(vehicle_profile::arducopter) && !is(vehicle_profile::ardurover);
-  if (!is_above_home(each) || !each.has_place() || has_yaw(each) || (may_pass && !is_none(each.param(3))))
+  if (!is_above_home(each) || !each.has_place() || !are_zero(each, {3}) || has_yaw(each) ||
+      !waits_so_long(given_or_zero(each.param(1))))
     return std::nullopt;
   return waypoint{{},
                   {each.latitude(), each.longitude(), each.altitude_m()},
@@ -164,25 +150,27 @@ std::optional<item> item_importer::waypoint_of(const vehicle_item& each) const {
 }
 
 std::optional<item> item_importer::loiter_of(const vehicle_item& each) const {
-  if (!is_above_home(each) || !each.has_place() || !std::isfinite(each.param(1)) || !is_none(each.param(2)) ||
-      !is_none(each.param(4)))
+  if (!is_above_home(each) || !each.has_place() || !are_zero(each, {2, 4}) || !is_for_multirotor() ||
+      !std::isfinite(each.param(1)) || !waits_so_long(each.param(1)))
     return std::nullopt;
   return loiter{
       {}, {each.latitude(), each.longitude(), each.altitude_m()}, given_or_zero(each.param(3)), each.param(1)};
 }
 
+// A PX4 has no "here".
 std::optional<item> item_importer::land_of(const vehicle_item& each) const {
-  const bool may_abort = may_have_wings() && !is_none(each.param(1));
-  if (!is_above_home(each) || may_abort || !is_none(each.param(2)) || has_yaw(each) ||
-      (!each.has_place() && !last_place_))
+  const bool has_place = each.has_place() || (context_.is_for_px4 && last_place_);
+  if (!is_above_home(each) || !has_place || !are_zero(each, {1, 2, 3}) || has_yaw(each) || !is_for_multirotor())
     return std::nullopt;
   const auto place = each.has_place() ? vertex{each.latitude(), each.longitude()} : *last_place_;
   return land{{}, {place.latitude, place.longitude, each.altitude_m()}};
 }
 
 std::optional<item> item_importer::speed_of(const vehicle_item& each) const {
-  const auto kind = given_or_zero(each.param(1));
-  if ((kind != 0 && kind != 1) || given_or_zero(each.param(3)) > 0 || !(each.param(2) > 0))
+  constexpr double over_ground = 1;
+  constexpr double no_throttle = -1;
+  if (each.param(1) != over_ground || each.param(3) != no_throttle || !are_zero(each, {4}) || !(each.param(2) > 0) ||
+      !is_for_multirotor())
     return std::nullopt;
   return change_speed{{}, each.param(2)};
 }
@@ -225,8 +213,7 @@ void item_importer::lose(const vehicle_item& each, const std::string& what, std:
 }
 
 bool item_importer::has_yaw(const vehicle_item& each) const {
-  const auto yaw = is_for_ardupilot() ? not_given : each.param(4);
-  return std::isfinite(yaw) && (yaw != 0 || context_.is_for_px4);
+  return std::isfinite(each.param(4)) && (each.param(4) != 0 || !is_for_ardupilot());
 }
 
 } // namespace godwit::mission

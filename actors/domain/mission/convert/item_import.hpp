@@ -1,22 +1,24 @@
 // The items of a vehicle or ground station, one after the other, to items of a mission. What godwit can plan itself
 // without changing the flight gets its kind; everything else goes into the mission as the command that it is.
 //
-//   NAV_TAKEOFF             takeoff       straight up, above home: no pitch, yaw or place elsewhere
+//   NAV_TAKEOFF             takeoff       without a place, above home: no pitch, no yaw; not of a rover
 //   NAV_WAYPOINT            waypoint      above home: hold, acceptance radius; no pass radius, no yaw
-//   NAV_LOITER_TIME         loiter        above home: time, radius
-//   DO_CHANGE_SPEED         change_speed  air or ground speed; not climb, descent and throttle
-//   NAV_LAND                land          above home; without a place: where the item before it was
+//   NAV_LOITER_TIME         loiter        above home: time, radius; of a multirotor
+//   DO_CHANGE_SPEED         change_speed  ground speed, no throttle; of a multirotor
+//   NAV_LAND                land          above home; of a multirotor; a PX4's without a place: at the item before it
 //   NAV_RETURN_TO_LAUNCH    return        to the home of the vehicle, which is not the planned one
 //   DO_JUMP                 jump          to the item with that number
 //   all others              command       as it came
 //
+// An item gets its own kind only where the vehicle then gets, field by field, what the file has; what is not given may
+// become 0, which means the same in those fields. "No yaw" is NaN, to a known ArduPilot also 0; to a PX4 0 is north.
+// Wings circle where a multirotor waits, and a rover drives to where it lands, so theirs stay commands.
+//
 // Losses are what no mission may hold (command_policy.hpp), what the vehicle refuses, a place in a frame that vehicles
-// do not take, and a jump to nowhere. A yaw of 0 is "none given" unless the plan is for PX4, where it is north. Where
-// the vehicle is known, what it ignores in an item is passed over: the pitch of a take-off without wings, the place of
-// an ArduCopter's take-off, a yaw of ArduPilot's. Thread: one owner. Source: MAVLink's common.xml; the table of
-// commands.
+// do not take, and a jump to nowhere. Thread: one owner. Source: MAVLink's common.xml; the table of commands.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -31,15 +33,14 @@
 namespace godwit::mission {
 
 struct import_context {
-  std::optional<vertex> home; // where a take-off is meant to be
   bool is_for_px4 = false;
   std::optional<vehicle_profile> vehicle{}; // absent: any
   allowed_commands allowed{};
 };
 
 // A profile counts for more than what a file says of its firmware.
-[[nodiscard]] import_context context_of(const std::optional<planned_home>& home, bool is_for_px4,
-                                        std::optional<vehicle_profile> vehicle, const allowed_commands& allowed = {});
+[[nodiscard]] import_context context_of(bool is_for_px4, std::optional<vehicle_profile> vehicle,
+                                        const allowed_commands& allowed = {});
 
 class item_importer {
 public:
@@ -79,8 +80,14 @@ private:
   [[nodiscard]] bool may_be_carried(const vehicle_item& each);
   [[nodiscard]] bool has_yaw(const vehicle_item& each) const;
   [[nodiscard]] bool is_infinite(const vehicle_item& each);
-  [[nodiscard]] bool may_have_wings() const { return !context_.vehicle || has_wings(*context_.vehicle); }
   [[nodiscard]] bool is(vehicle_profile one) const { return context_.vehicle == one; }
+  [[nodiscard]] bool is_for_multirotor() const {
+    return is(vehicle_profile::arducopter) || is(vehicle_profile::px4_multicopter);
+  }
+  // ArduPilot waits for whole seconds.
+  [[nodiscard]] bool waits_so_long(double seconds) const {
+    return seconds == 0 || (is_for_multirotor() && (context_.is_for_px4 || seconds == std::trunc(seconds)));
+  }
   [[nodiscard]] bool is_for_ardupilot() const { return context_.vehicle && !is_px4(*context_.vehicle); }
 
   import_context context_;

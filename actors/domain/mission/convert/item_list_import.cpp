@@ -65,7 +65,7 @@ tl::expected<imported_list, conversion_error> import_item_list(std::span<const m
   loss_list losses;
   imported_list result;
   const bool is_for_px4 = options.vehicle && is_px4(*options.vehicle);
-  item_importer importer({std::nullopt, is_for_px4, options.vehicle, options.allowed}, losses);
+  item_importer importer({is_for_px4, options.vehicle, options.allowed}, losses);
   for (const auto& each : items)
     importer.take(each);
   importer.resolve_jumps();

@@ -8,6 +8,7 @@
 #include "actors/domain/geofence/fence_name.hpp"
 #include "actors/domain/mission/commands/command_table.hpp"
 #include "actors/domain/mission/convert/item_export.hpp"
+#include "actors/domain/mission/convert/plan_vehicle.hpp"
 
 namespace godwit::mission {
 
@@ -15,8 +16,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int px4 = 12; // MAV_AUTOPILOT: there a yaw of NaN is "leave it", which is what we mean
-constexpr int ardupilot_firmware = 3;
 constexpr int any_vehicle = 0; // MAV_TYPE_GENERIC
 constexpr int multirotor = 2;
 constexpr int above_home = 1;   // QGroundControl's AltitudeMode
@@ -138,7 +137,24 @@ bool is_for_px4(const document& mission) {
   });
 }
 
+// Of a mission that names none: PX4, to which a yaw of NaN is "leave it", which is what we mean. What kind of vehicle
+// commands are for, they do not say: what one kind ignores in them, another one executes.
+plan_vehicle vehicle_of(const document& mission) {
+  if (mission.vehicle)
+    return plan_vehicle_of(*mission.vehicle);
+  const bool has_commands = std::ranges::any_of(mission.items, is_of_version_2);
+  return {is_for_px4(mission) ? px4_firmware : ardupilot_firmware, has_commands ? any_vehicle : multirotor};
+}
+
+constexpr int indent = 4; // as QGroundControl does
+
 } // namespace
+
+std::optional<std::string> plan_again(std::string_view text) {
+  const auto plan = json::parse(text);
+  const bool is_of_this_form = plan.contains("mission") && plan["mission"]["version"] == 2;
+  return is_of_this_form ? std::optional(plan.dump(indent) + '\n') : std::nullopt;
+}
 
 exported export_plan(const document& mission) {
   exported result;
@@ -149,15 +165,14 @@ exported export_plan(const document& mission) {
                        "a plan's home position is on the ground",
                        "left out"});
   add_place_losses(mission.items, result.losses);
-  // What kind of vehicle commands are for, they do not say: what one kind ignores in them, another one executes.
-  const bool has_commands = std::ranges::any_of(mission.items, is_of_version_2);
+  const auto vehicle = vehicle_of(mission);
   const json head{{"cruiseSpeed", usual_mps},
-                  {"firmwareType", is_for_px4(mission) ? px4 : ardupilot_firmware},
+                  {"firmwareType", vehicle.autopilot},
                   {"globalPlanAltitudeMode", above_home},
                   {"hoverSpeed", usual_mps},
                   {"items", items_of(mission, result.losses)},
                   {"plannedHomePosition", json::array({home.latitude, home.longitude, home.above_sea_m.value_or(0)})},
-                  {"vehicleType", has_commands ? any_vehicle : multirotor},
+                  {"vehicleType", vehicle.type},
                   {"version", 2}};
   const json plan{{"fileType", "Plan"},
                   {"geoFence", fence_of(mission, result.losses)},
@@ -165,7 +180,6 @@ exported export_plan(const document& mission) {
                   {"mission", head},
                   {"rallyPoints", {{"points", rally_points_of(mission)}, {"version", 2}}},
                   {"version", 1}};
-  constexpr int indent = 4; // as QGroundControl does
   result.text = plan.dump(indent) + '\n';
   return result;
 }

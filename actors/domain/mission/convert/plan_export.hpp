@@ -5,11 +5,19 @@
 // what a plan does not know (heights of fences and of the return point). Thread: pure.
 #pragma once
 
+#include <optional>
+#include <string>
+#include <string_view>
+
 #include "actors/domain/mission/convert/conversion.hpp"
 
 namespace godwit::mission {
 
 // MISSION keeps all rules.
 [[nodiscard]] exported export_plan(const document& mission);
+
+// TEXT, a plan that was read as a whole, as the ground station would write it again: with everything in it. Nothing for
+// one of an older form.
+[[nodiscard]] std::optional<std::string> plan_again(std::string_view text);
 
 } // namespace godwit::mission

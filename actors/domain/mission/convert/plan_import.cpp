@@ -1,13 +1,12 @@
 #include "actors/domain/mission/convert/plan_import.hpp"
 
-#include <algorithm>
-#include <iterator>
 #include <optional>
 #include <utility>
 
 #include "actors/domain/mission/convert/fence_import.hpp"
 #include "actors/domain/mission/convert/plan_patterns.hpp"
 #include "actors/domain/mission/convert/plan_source.hpp"
+#include "actors/domain/mission/convert/plan_vehicle.hpp"
 #include "actors/domain/mission/json_document.hpp"
 
 namespace godwit::mission {
@@ -17,7 +16,6 @@ namespace {
 constexpr std::int64_t plan_version = 1;
 constexpr std::int64_t first_mission_version = 1; // items with param1 to param4
 constexpr std::int64_t last_mission_version = 2;
-constexpr std::int64_t px4_firmware = 12; // MAV_AUTOPILOT
 
 // What QGroundControl wrote into `.mission` files before it had plans.
 bool is_mission_file(const plan_node& root) {
@@ -57,27 +55,8 @@ void import_items(plan_source& source, const plan_node& mission, item_importer& 
 struct plan_parts {
   document mission;
   source_map places;
+  std::optional<vehicle_profile> vehicle;
 };
-
-// MAV_AUTOPILOT and MAV_TYPE, as QGroundControl writes them; nothing for what the table does not know.
-std::optional<vehicle_profile> profile_of(std::int64_t autopilot, std::int64_t type) {
-  constexpr std::int64_t ardupilot = 3;
-  struct type_row {
-    std::int64_t type;
-    vehicle_profile of_ardupilot;
-    vehicle_profile of_px4;
-  };
-  using enum vehicle_profile;
-  constexpr type_row types[] = {
-      {1, arduplane, px4_fixed_wing}, {2, arducopter, px4_multicopter}, {10, ardurover, px4_rover},
-      {19, quadplane, px4_vtol},      {20, quadplane, px4_vtol},        {21, quadplane, px4_vtol},
-      {22, quadplane, px4_vtol},
-  };
-  const auto* const found = std::ranges::find(types, type, &type_row::type);
-  if (found == std::end(types) || (autopilot != ardupilot && autopilot != px4_firmware))
-    return std::nullopt;
-  return autopilot == ardupilot ? found->of_ardupilot : found->of_px4;
-}
 
 // MISSION has the items and the planned home; FIRMWARE is the key of what they are for.
 void import_mission(plan_source& source, const plan_node& mission, std::string_view firmware,
@@ -86,9 +65,8 @@ void import_mission(plan_source& source, const plan_node& mission, std::string_v
   result.mission.planned_home = home_at(place[0], place[1], place[2]);
   const auto autopilot = source.integer(mission, firmware);
   const auto type = mission.has("vehicleType") ? source.integer(mission, "vehicleType") : 0;
-  const auto profile = options.vehicle ? options.vehicle : profile_of(autopilot, type);
-  item_importer importer(context_of(result.mission.planned_home, autopilot == px4_firmware, profile, options.allowed),
-                         source.losses);
+  result.vehicle = options.vehicle ? options.vehicle : profile_of({autopilot, type});
+  item_importer importer(context_of(autopilot == px4_firmware, result.vehicle, options.allowed), source.losses);
   import_items(source, mission, importer);
   importer.resolve_jumps();
   result.mission.items = std::move(importer.items());
@@ -138,7 +116,7 @@ import_result import_plan(std::string_view text, const import_options& options) 
   if (!parsed)
     return tl::unexpected(conversion_error{parsed.error(), {}});
   loss_list losses;
-  plan_source source(losses);
+  plan_source source(losses, options.keeps_unknown);
   const plan_node root{&*parsed, {}};
   plan_parts found;
   if (is_mission_file(root))
@@ -149,6 +127,7 @@ import_result import_plan(std::string_view text, const import_options& options) 
     return tl::unexpected(
         conversion_error{bounded({document_errc::wrong_form, std::move(source.problems)}, text), std::move(losses)});
   found.mission.mission_id = options.mission_id.value_or(uuid_of_text(text));
+  found.mission.vehicle = found.vehicle;
   return finished(found.mission, std::move(losses), options, text, found.places);
 }
 

@@ -125,7 +125,7 @@ std::vector<vertex> plan_source::corners(const plan_node& parent, std::string_vi
 }
 
 void plan_source::lose_unknown(const plan_node& where, std::initializer_list<std::string_view> known) {
-  if (!where.value->is_object())
+  if (keeps_unknown_ || !where.value->is_object())
     return;
   for (const auto& [key, value] : where.value->items())
     if (std::ranges::find(known, std::string_view(key)) == known.end())

@@ -33,7 +33,7 @@ struct plan_node {
 
 class plan_source {
 public:
-  explicit plan_source(loss_list& found) : losses(found) {}
+  explicit plan_source(loss_list& found, bool keeps_unknown = false) : losses(found), keeps_unknown_(keeps_unknown) {}
 
   [[nodiscard]] plan_node object(const plan_node& parent, std::string_view key);
   [[nodiscard]] std::vector<plan_node> list(const plan_node& parent, std::string_view key);
@@ -56,6 +56,7 @@ public:
   loss_list& losses;
 
 private:
+  bool keeps_unknown_; // what is not known is no loss
   [[nodiscard]] const nlohmann::json& at(const plan_node& parent, std::string_view key) const;
   void wrong_at(const plan_node& parent, std::string_view key, std::string allowed);
 };

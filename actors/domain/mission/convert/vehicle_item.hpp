@@ -45,7 +45,6 @@ inline constexpr std::uint16_t return_to_launch = 20;
 inline constexpr std::uint16_t land = 21;
 inline constexpr std::uint16_t takeoff = 22;
 inline constexpr std::uint16_t loiter_to_alt = 31;
-inline constexpr std::uint16_t vtol_takeoff = 84;
 inline constexpr std::uint16_t vtol_land = 85;
 inline constexpr std::uint16_t jump = 177;
 inline constexpr std::uint16_t change_speed = 178;

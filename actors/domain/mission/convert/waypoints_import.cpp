@@ -125,11 +125,12 @@ import_result import_item_lines(const plan_lines& lines, const import_options& o
       mission.planned_home = home_at(home.latitude(), home.longitude(), home.altitude_m());
       first = 1;
     }
-  item_importer importer(context_of(mission.planned_home, false, options.vehicle, options.allowed), losses);
+  item_importer importer(context_of(false, options.vehicle, options.allowed), losses);
   for (auto i = first; i < lines.items.size(); ++i)
     importer.take(vehicle_item_at(lines, i));
   importer.resolve_jumps();
   mission.items = std::move(importer.items());
+  mission.vehicle = options.vehicle;
   const source_map places{std::move(importer.places()), {}, {}, lines.items.size() > first};
   return finished(mission, std::move(losses), options, text, places);
 }

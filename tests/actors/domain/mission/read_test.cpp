@@ -69,7 +69,7 @@ TEST(read_mission, what_is_wrong_is_said_with_its_place_and_what_is_allowed) {
       {"/revision", 0, form, "/revision is 0; allowed: a whole number from 1 to 2147483647"},
       {"/pilot", "me", form,
        "/pilot is not known; allowed: breach_return_point, geofences, items, mission_id, planned_home, rally_points, "
-       "return_point, revision, schema_version"},
+       "return_point, revision, schema_version, vehicle"},
       {"/geofences/0/kind", "inclusion", form,
        "/geofences/0/kind is \"inclusion\"; allowed: \"INCLUSION\" or \"EXCLUSION\""},
       {"/items/5/id", "up", rule, "/items/5/id is \"up\", as of item 0; allowed: an id that no other item has"},

@@ -203,6 +203,15 @@ TEST(rules, a_loop_without_an_end_has_an_item_that_moves_the_vehicle) {
       "/items/2/to leads back for ever, and no item in between moves the vehicle; allowed: an item that moves it\n");
 }
 
+TEST(rules, a_vehicle_belongs_to_version_2) {
+  auto mission = looping({waypoint{"w", {47, 8, 30}, 0, 0, {}}});
+  mission.vehicle = vehicle_profile::arducopter;
+  EXPECT_EQ(faults_of(mission), "");
+  mission.schema_version = "1.0.0";
+  EXPECT_EQ(faults_of(mission), "/schema_version is \"1.0.0\", and circles, rally points, a point of return of the "
+                                "fence and a vehicle are of version 2; allowed: 2.0.0\n");
+}
+
 TEST(rules, commands_and_jumps_belong_to_version_2) {
   auto mission = looping({command_of("c", 206)});
   EXPECT_EQ(faults_of(mission), "");

@@ -349,6 +349,19 @@ TEST(command_planner,
   EXPECT_NEAR(rest.items[3].y / 1e7, at(100, 0, 30).longitude, 1e-6) << "not from where it was sent";
 }
 
+// 0/0 is "here" to an ArduPilot, and a place in the sea to a PX4.
+TEST(command_planner, a_take_off_without_a_place_climbs_where_a_px4_stands_and_leads_a_plane_to_the_next_place) {
+  const auto first_of = [](const plan_setting& setting, const mission::position& next) {
+    const auto plan = build_plans(mission_of({move("t", 22, {0, 0, 30}), waypoint("w", next), home_again}), setting);
+    return plan->front().items.at(plan->front().map.first_sequence);
+  };
+  const auto next = at(500, 0, 30);
+  EXPECT_EQ(first_of(px4, next).x, std::lround(px4.start.latitude * 1e7));
+  EXPECT_EQ(first_of(px4, next).y, std::lround(px4.start.longitude * 1e7));
+  EXPECT_EQ(first_of(px4_plane, next).y, std::lround(next.longitude * 1e7));
+  EXPECT_EQ(first_of(copter, next).x, 0) << "as it came";
+}
+
 TEST(command_planner, a_take_off_that_came_climbs_to_its_height_and_is_followed_by_the_state) {
   const auto mission =
       mission_of({act("roi", 195), move("up", 22, at(0, 0, 40)), move("w", 16, at(500, 0, 40)), home_again});

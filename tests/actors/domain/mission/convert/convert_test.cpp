@@ -1,5 +1,8 @@
 #include "actors/domain/mission/convert/convert.hpp"
 
+#include <cmath>
+#include <utility>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <rapidcheck/gtest.h>
@@ -32,6 +35,44 @@ TEST(convert, a_plan_goes_through_our_format_and_back_without_a_change) {
   const auto again = convert(plan->text, mission_format::plan, mission_format::json, {false, id});
   ASSERT_TRUE(again.has_value()) << again.error().message();
   EXPECT_EQ(again->text, ours->text);
+}
+
+// What a newer ground station has written is not understood, and not lost.
+TEST(convert, a_plan_that_is_written_as_a_plan_keeps_all_that_is_in_it) {
+  auto plan = nlohmann::json::parse(sample_file("survey_camera.plan"));
+  plan["mission"]["items"][0]["newer"] = {{"a", 1}};
+  plan["mission"]["cruiseSpeed"] = 17;
+  const auto again = convert(plan.dump(), mission_format::plan, mission_format::plan);
+  ASSERT_TRUE(again.has_value()) << again.error().message();
+  EXPECT_EQ(nlohmann::json::parse(again->text), plan);
+  EXPECT_FALSE(convert(plan.dump(), mission_format::plan, mission_format::json).has_value()) << "another form loses it";
+  plan["mission"]["items"][1]["complexItemType"] = "Newer";
+  const auto partial = convert(plan.dump(), mission_format::plan, mission_format::plan, {true, {}});
+  ASSERT_TRUE(partial.has_value()) << partial.error().message();
+  EXPECT_EQ(partial->losses.all.size(), 2U) << "what is left out, and what is not understood in the rest";
+}
+
+TEST(convert, an_older_form_of_a_plan_is_written_in_the_newer_one) {
+  const auto again = convert(sample_file("old_mission_file.json"), mission_format::plan, mission_format::plan);
+  ASSERT_TRUE(again.has_value()) << again.error().message();
+  EXPECT_EQ(nlohmann::json::parse(again->text)["mission"]["version"], 2);
+}
+
+TEST(convert, the_vehicle_of_a_plan_comes_back_from_our_format) {
+  constexpr std::pair<int, int> vehicles[] = {{3, 1}, {3, 2}, {3, 10}, {3, 20}, {12, 1}, {12, 2}, {12, 10}, {12, 20}};
+  auto plan = nlohmann::json::parse(sample_file("simple.plan"));
+  for (const auto& [firmware, type] : vehicles) {
+    plan["mission"]["firmwareType"] = firmware;
+    plan["mission"]["vehicleType"] = type;
+    const auto ours = convert(plan.dump(), mission_format::plan, mission_format::json);
+    ASSERT_TRUE(ours.has_value()) << ours.error().message();
+    for (const auto by : {mission_format::json, mission_format::geojson}) {
+      const auto between = convert(ours->text, mission_format::json, by);
+      const auto head = nlohmann::json::parse(convert(between->text, by, mission_format::plan)->text)["mission"];
+      EXPECT_EQ(head["firmwareType"], firmware);
+      EXPECT_EQ(head["vehicleType"], type);
+    }
+  }
 }
 
 TEST(convert, what_is_lost_on_either_way_is_an_error_unless_it_is_allowed) {
@@ -133,8 +174,11 @@ TEST(convert, the_list_of_losses_is_bounded_and_says_that_there_are_more) {
 }
 
 // What a plan can say: returns to the home of the vehicle, a planned home with a height, no heights of fences, a speed
-// as an item of its own, a survey with a heading and pictures by distance, no change of ids.
+// as an item of its own, a survey with a heading and pictures by distance, no change of ids. Commands are for an
+// ArduPilot, which waits for whole seconds.
 document plan_like(document mission) {
+  if (needs_version_2(mission))
+    mission.vehicle = vehicle_profile::arducopter;
   mission.return_point.reset();
   if (mission.planned_home)
     mission.planned_home->above_sea_m = mission.planned_home->above_sea_m.value_or(0);
@@ -146,8 +190,12 @@ document plan_like(document mission) {
   for (auto& each : mission.items) {
     if (auto* back = std::get_if<return_home>(&each))
       back->to = return_goal::home;
-    if (auto* point = std::get_if<waypoint>(&each))
+    if (auto* point = std::get_if<waypoint>(&each)) {
       point->speed_mps.reset();
+      point->hold_s = std::round(point->hold_s);
+    }
+    if (auto* stay = std::get_if<loiter>(&each))
+      stay->duration_s = std::round(stay->duration_s);
     if (auto* area = std::get_if<survey>(&each)) {
       area->heading_deg = area->heading_deg.value_or(0);
       if (area->camera) {

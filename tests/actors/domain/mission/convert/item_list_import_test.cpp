@@ -27,6 +27,7 @@ mission_item_int item_of(std::uint16_t seq, mav_cmd command, std::uint8_t in_fra
 item_list_options options() {
   item_list_options result;
   result.mission_id = "7d1c1f0e-6b0c-4c55-9d0d-2f6d3c8b1a42";
+  result.vehicle = vehicle_profile::arducopter;
   return result;
 }
 

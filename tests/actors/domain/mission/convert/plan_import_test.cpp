@@ -42,9 +42,9 @@ std::string kinds(const document& mission) {
 
 TEST(plan_import, a_simple_plan_is_taken_whole) {
   const auto mission = whole("simple.plan");
-  EXPECT_EQ(kinds(mission), "takeoff change_speed waypoint waypoint loiter waypoint return");
+  EXPECT_EQ(kinds(mission), "command change_speed waypoint waypoint loiter waypoint return");
   EXPECT_EQ(mission.planned_home, (planned_home{47.3977419, 8.5455938, 488.1}));
-  EXPECT_EQ(std::get<takeoff>(mission.items[0]).altitude_m, 50);
+  EXPECT_EQ(std::get<command_item>(mission.items[0]).params[4], 47.3977419) << "a take-off has no place of its own";
   EXPECT_EQ(std::get<waypoint>(mission.items[3]), (waypoint{"item-4", {47.3991, 8.5472, 60}, 5, 3, {}}));
   EXPECT_EQ(std::get<loiter>(mission.items[4]), (loiter{"item-5", {47.3987, 8.5481, 55}, 25, 30}));
 }
@@ -118,7 +118,7 @@ TEST(plan_import, null_is_not_given_and_a_landing_without_a_place_is_where_the_i
 
 TEST(plan_import, four_params_and_a_coordinate_are_seven_params_and_old_fences_without_content_are_no_loss) {
   const auto mission = whole("section.plan");
-  EXPECT_EQ(kinds(mission), "takeoff waypoint waypoint command waypoint");
+  EXPECT_EQ(kinds(mission), "command waypoint waypoint command waypoint");
   EXPECT_EQ(std::get<waypoint>(mission.items[2]), (waypoint{"item-3", {47.3989, 8.5487, 20}, 0, 0, {}}));
   EXPECT_EQ(std::get<command_item>(mission.items[3]).command, 205);
 }
@@ -175,19 +175,46 @@ TEST(plan_import, what_is_wrong_with_a_fence_is_told_where_the_file_has_it) {
             "/geoFence/polygons/1/polygon has 2 different corners; allowed: at least 3 different corners");
 }
 
-TEST(plan_import, what_a_vehicle_ignores_is_no_loss_to_it) {
+TEST(plan_import, an_item_gets_a_kind_of_its_own_only_where_the_vehicle_gets_each_field_of_it) {
   auto plan = nlohmann::json::parse(sample_file("simple.plan"));
-  auto& up = plan["mission"]["items"][0]["params"];
+  auto& items = plan["mission"]["items"];
+  const auto kind_at = [&](std::size_t n) {
+    return std::string(kind_of(import_plan(plan.dump())->mission.items.at(n)));
+  };
+  auto& up = items[0]["params"];
+  EXPECT_EQ(kind_at(0), "command") << "its place: godwit's own take-off climbs where the vehicle stands";
+  up[4] = up[5] = nullptr;
+  EXPECT_EQ(kind_at(0), "takeoff");
   up[0] = 15;
-  const auto first = [&] { return std::string(kind_of(import_plan(plan.dump())->mission.items.at(0))); };
-  EXPECT_EQ(first(), "takeoff") << "the pitch of a take-off without wings";
-  plan["mission"]["vehicleType"] = 1;
-  EXPECT_EQ(first(), "command") << "wings take off at that pitch";
-  plan["mission"]["vehicleType"] = 2;
-  up[4] = 47.41; // 1.4 km away
-  EXPECT_EQ(first(), "command") << "a PX4 flies there";
+  EXPECT_EQ(kind_at(0), "command") << "its pitch, though no multirotor has one";
+  auto& speed = items[1]["params"];
+  speed[0] = 0;
+  EXPECT_EQ(kind_at(1), "command") << "through the air";
+  speed[0] = 1;
+  speed[2] = 0;
+  EXPECT_EQ(kind_at(1), "command") << "without throttle";
   plan["mission"]["firmwareType"] = 3;
-  EXPECT_EQ(first(), "takeoff") << "an ArduCopter climbs on the spot";
+  EXPECT_EQ(kind_at(3), "waypoint");
+  EXPECT_EQ(kind_at(4), "loiter");
+  items[3]["params"][0] = 2.5;
+  EXPECT_EQ(kind_at(3), "command") << "an ArduPilot waits for whole seconds";
+  items[3]["params"][0] = 2;
+  plan["mission"]["vehicleType"] = 1;
+  EXPECT_EQ(kind_at(3), "command") << "wings circle while they wait";
+  EXPECT_EQ(kind_at(4), "command");
+  EXPECT_EQ(kind_at(2), "waypoint");
+}
+
+TEST(plan_import, a_mission_that_needs_version_2_knows_for_which_vehicle_it_was_drawn) {
+  EXPECT_EQ(whole("simple.plan").vehicle, vehicle_profile::px4_multicopter);
+  EXPECT_EQ(whole("null_params.plan").vehicle, std::nullopt) << "of version 1, for what such a mission is written for";
+  auto plan = nlohmann::json::parse(sample_file("null_params.plan"));
+  plan["mission"]["firmwareType"] = 3;
+  plan["mission"]["items"][2]["params"][4] = 47.3986;
+  plan["mission"]["items"][2]["params"][5] = 8.5466;
+  const auto mission = import_plan(plan.dump())->mission;
+  EXPECT_EQ(mission.vehicle, vehicle_profile::arducopter);
+  EXPECT_EQ(mission.schema_version, "2.0.0");
 }
 
 TEST(plan_import, what_the_vehicle_refuses_is_a_loss_and_what_it_passes_over_is_carried) {
@@ -206,7 +233,7 @@ TEST(plan_import, what_the_vehicle_refuses_is_a_loss_and_what_it_passes_over_is_
 
 TEST(plan_import, a_survey_at_one_height_becomes_a_survey) {
   const auto mission = whole("survey.plan");
-  ASSERT_EQ(kinds(mission), "takeoff survey return");
+  ASSERT_EQ(kinds(mission), "command survey return");
   const auto& area = std::get<survey>(mission.items[1]);
   EXPECT_EQ(area.polygon.size(), 4U);
   EXPECT_EQ(area.altitude_m, 50);
@@ -216,12 +243,12 @@ TEST(plan_import, a_survey_at_one_height_becomes_a_survey) {
 
 TEST(plan_import, a_survey_with_a_camera_is_its_lines_as_they_were_laid_triggers_and_turns_included) {
   const auto mission = whole("survey_camera.plan");
-  EXPECT_EQ(kinds(mission), "takeoff waypoint command waypoint command waypoint command waypoint command return");
+  EXPECT_EQ(kinds(mission), "command waypoint command waypoint command waypoint command waypoint command return");
   EXPECT_EQ(std::get<command_item>(mission.items[2]).command, 206);
 }
 
 TEST(plan_import, a_survey_that_can_not_be_one_becomes_the_lines_that_were_laid) {
-  EXPECT_EQ(kinds(whole("survey_crossing.plan")), "takeoff waypoint waypoint waypoint waypoint return");
+  EXPECT_EQ(kinds(whole("survey_crossing.plan")), "command waypoint waypoint waypoint waypoint return");
 }
 
 TEST(plan_import, a_survey_without_its_lines_that_can_not_be_one_is_a_loss) {
@@ -234,17 +261,17 @@ TEST(plan_import, a_survey_without_its_lines_that_can_not_be_one_is_a_loss) {
 
 TEST(plan_import, heights_above_terrain_are_carried_as_they_are) {
   const auto mission = whole("survey_terrain.plan");
-  EXPECT_EQ(kinds(mission), "takeoff command command command command waypoint return");
+  EXPECT_EQ(kinds(mission), "command command command command command waypoint return");
   EXPECT_EQ(std::get<command_item>(mission.items[2]).frame, 10);
 }
 
 TEST(plan_import, a_corridor_becomes_its_lines) {
-  EXPECT_EQ(kinds(whole("corridor.plan")), "takeoff waypoint waypoint waypoint waypoint return");
+  EXPECT_EQ(kinds(whole("corridor.plan")), "command waypoint waypoint waypoint waypoint return");
 }
 
 TEST(plan_import, a_structure_scan_is_left_out) {
   const auto result = partial("structure.plan");
-  EXPECT_EQ(kinds(result.mission), "takeoff return");
+  EXPECT_EQ(kinds(result.mission), "command return");
   EXPECT_EQ(result.losses.message(),
             "item 1: the pattern \"StructureScan\"; a mission has no counterpart of it; instead: left out");
 }
@@ -268,7 +295,7 @@ TEST(plan_import, a_landing_pattern_is_what_the_ground_station_lays_for_it) {
 
 TEST(plan_import, gimbals_regions_of_interest_triggers_and_jumps_are_carried) {
   const auto mission = whole("ardupilot.plan");
-  EXPECT_EQ(kinds(mission), "takeoff command waypoint command waypoint command waypoint jump return");
+  EXPECT_EQ(kinds(mission), "command command waypoint command waypoint command waypoint jump return");
   EXPECT_EQ(mission.schema_version, "2.0.0");
 }
 
@@ -302,7 +329,7 @@ TEST(plan_import, circles_breach_points_and_rally_points_are_carried) {
 
 TEST(plan_import, places_in_all_frames_with_latitude_and_longitude_are_carried_and_the_others_are_losses) {
   const auto result = partial("every_frame.plan");
-  EXPECT_EQ(kinds(result.mission), "takeoff command waypoint command waypoint command command return");
+  EXPECT_EQ(kinds(result.mission), "command command waypoint command waypoint command command return");
   EXPECT_EQ(result.losses.all.size(), 9U); // of 15 frames
 }
 
@@ -319,7 +346,7 @@ TEST(plan_import, another_version_is_refused_with_the_version_that_is_known) {
 
 TEST(plan_import, items_of_the_first_form_are_read) {
   const auto mission = whole("old_items.plan");
-  ASSERT_EQ(kinds(mission), "takeoff waypoint");
+  ASSERT_EQ(kinds(mission), "command waypoint");
   EXPECT_EQ(std::get<waypoint>(mission.items[1]).at, (position{47.3985, 8.5465, 50}));
   auto plan = nlohmann::json::parse(sample_file("old_items.plan"));
   plan["mission"]["version"] = 1;
@@ -332,7 +359,7 @@ TEST(plan_import, items_of_the_first_form_are_read) {
 
 TEST(plan_import, mission_files_from_before_there_were_plans_are_read) {
   const auto mission = whole("old_mission_file.json");
-  EXPECT_EQ(kinds(mission), "takeoff waypoint land");
+  EXPECT_EQ(kinds(mission), "command command command");
   EXPECT_EQ(mission.planned_home, (planned_home{47.3977419, 8.5455938, 0}));
   auto older = nlohmann::json::parse(sample_file("old_mission_file.json"));
   older["version"] = "1.0";

@@ -7,7 +7,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 
 import { load_definitions } from "./definitions.mjs";
-import { end, ground_station, port_of } from "./ground_station.mjs";
+import { end, ground_station, ports_of } from "./ground_station.mjs";
 import { home_text } from "./plans.mjs";
 
 const speed = "20"; // times real time
@@ -21,33 +21,46 @@ async function free_port() {
   return port;
 }
 
+// Calls USE with the ports of a vehicle that begins at HOME and is reached on so many LINES; ends it behind that.
+export async function with_vehicle(vehicle_path, { personality, home = home_text, lines = 1 }, use) {
+  const links = Array.from({ length: lines }, () => ["--link", "udpin://127.0.0.1:0"]).flat();
+  const vehicle = spawn(vehicle_path, ["vehicle", "--personality", personality, ...links, "--home", home, "--speed",
+    speed], { stdio: ["ignore", "pipe", "inherit"] });
+  vehicle.stdout.setEncoding("utf8");
+  try {
+    return await use(await ports_of(vehicle, lines), vehicle);
+  } finally {
+    await end(vehicle);
+  }
+}
+
 // Calls FLY with the station and what kills the daemon and starts it again; ends all of them behind it.
 export async function fly_with_daemon(vehicle_path, daemon_path, personality, options, fly) {
   const definitions = await load_definitions();
   const folder = await mkdtemp(join(tmpdir(), "godwit-station-"));
   const ground = await free_port();
-  const vehicle = spawn(vehicle_path, ["vehicle", "--personality", personality, "--link", "udpin://127.0.0.1:0",
-    "--home", home_text, "--speed", speed], { stdio: ["ignore", "pipe", "inherit"] });
-  vehicle.stdout.setEncoding("utf8");
-  let daemon, station;
   try {
-    const port = await port_of(vehicle);
-    const start_daemon = () => {
-      daemon = spawn(daemon_path, ["--vehicle", `udpout://127.0.0.1:${port}`, "--ground",
-        `udpin://127.0.0.1:${ground}`, ...options, "--journal", join(folder, "godwit.db"), "--trace",
-        join(folder, "trace")], { stdio: ["ignore", "inherit", "inherit"] });
-    };
-    start_daemon();
-    station = new ground_station(ground, definitions);
-    return await fly(station, async () => {
-      daemon.kill("SIGKILL");
-      await once(daemon, "exit");
+    return await with_vehicle(vehicle_path, { personality }, async ([port]) => {
+      let daemon, station;
+      const start_daemon = () => {
+        daemon = spawn(daemon_path, ["--vehicle", `udpout://127.0.0.1:${port}`, "--ground",
+          `udpin://127.0.0.1:${ground}`, ...options, "--journal", join(folder, "godwit.db"), "--trace",
+          join(folder, "trace")], { stdio: ["ignore", "inherit", "inherit"] });
+      };
       start_daemon();
+      try {
+        station = new ground_station(ground, definitions);
+        return await fly(station, async () => {
+          daemon.kill("SIGKILL");
+          await once(daemon, "exit");
+          start_daemon();
+        });
+      } finally {
+        station?.close();
+        await end(daemon);
+      }
     });
   } finally {
-    station?.close();
-    await end(daemon);
-    await end(vehicle);
     await rm(folder, { recursive: true });
   }
 }

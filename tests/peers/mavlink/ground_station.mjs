@@ -96,13 +96,14 @@ export class ground_station {
     return answer.message.type;
   }
 
-  async download() {
-    const target = { targetSystem: 1, targetComponent: 1, missionType: 0 };
-    const { message: { count } } = await this.ask(() => this.send("MISSION_REQUEST_LIST", target), ["MISSION_COUNT"]);
+  async download(mission_type = 0) {
+    const target = { targetSystem: 1, targetComponent: 1, missionType: mission_type };
+    const { message: { count } } = await this.ask(() => this.send("MISSION_REQUEST_LIST", target), ["MISSION_COUNT"],
+      ({ missionType }) => missionType === mission_type);
     const items = [];
     for (let seq = 0; seq < count; ++seq) {
       const { message } = await this.ask(() => this.send("MISSION_REQUEST_INT", { ...target, seq }),
-        ["MISSION_ITEM_INT"], (item) => item.seq === seq);
+        ["MISSION_ITEM_INT"], (item) => item.seq === seq && item.missionType === mission_type);
       items.push(message);
     }
     this.send("MISSION_ACK", { ...target, type: 0 });
@@ -133,12 +134,12 @@ export async function end(program) {
   if (code !== 0) throw new Error(`${program.spawnfile} ended with ${code}`);
 }
 
-// The program, and the port on which its vehicle listens.
-export async function port_of(program) {
+// The ports on which the vehicle of PROGRAM listens, one for each of its LINES.
+export async function ports_of(program, lines = 1) {
   let text = "";
   for (;;) {
-    const found = text.match(/udpin:\/\/127\.0\.0\.1:(\d+)/);
-    if (found) return Number(found[1]);
+    const found = [...text.matchAll(/udpin:\/\/127\.0\.0\.1:(\d+)/g)].map(([, port]) => Number(port));
+    if (found.length >= lines) return found.slice(0, lines);
     const [more] = await Promise.race([once(program.stdout, "data"), once(program, "exit").then(() => [undefined])]);
     if (more === undefined) throw new Error(`the program ended before its vehicle listened: ${text}`);
     text += more;

@@ -5,13 +5,11 @@
 //
 // Starts the program with a vehicle on a free port, uploads a mission, reads it back, makes the vehicle fly it, follows
 // it to its end, and reads it back again. Exit 0 if all is as it must be, 1 if not, 2 on wrong usage.
-import { spawn } from "node:child_process";
-
 import { load_definitions } from "./definitions.mjs";
-import { end, ground_station, port_of } from "./ground_station.mjs";
-import { check, compare, home_text, item, nav_land, nav_return, nav_takeoff, nav_waypoint, square } from "./plans.mjs";
+import { with_vehicle } from "./flying_daemon.mjs";
+import { ground_station } from "./ground_station.mjs";
+import { check, compare, item, nav_land, nav_return, nav_takeoff, nav_waypoint, square } from "./plans.mjs";
 
-const speed = "20";
 const mission_start = 300;
 const do_set_mode = 176;
 const arm_disarm = 400;
@@ -68,20 +66,17 @@ async function fly(station, { plan, first, make_ready }) {
 
 async function run(program_path, name) {
   const definitions = await load_definitions();
-  const program = spawn(program_path, ["vehicle", "--personality", name, "--link", "udpin://127.0.0.1:0",
-    "--home", home_text, "--speed", speed], { stdio: ["ignore", "pipe", "inherit"] });
-  program.stdout.setEncoding("utf8");
-  let station;
-  try {
-    station = new ground_station(await port_of(program), definitions);
+  await with_vehicle(program_path, { personality: name }, async ([port], program) => {
+    const station = new ground_station(port, definitions);
     program.stdout.on("data", (text) => process.stdout.write(text)); // for whoever reads why it failed
-    const began = Date.now();
-    const in_order = await fly(station, personalities[name]);
-    console.log(`${name}: uploaded, flown and read back in ${Date.now() - began} ms; reached ${in_order}`);
-  } finally {
-    station?.close();
-    await end(program);
-  }
+    try {
+      const began = Date.now();
+      const in_order = await fly(station, personalities[name]);
+      console.log(`${name}: uploaded, flown and read back in ${Date.now() - began} ms; reached ${in_order}`);
+    } finally {
+      station.close();
+    }
+  });
 }
 
 const [program_path, name] = process.argv.slice(2);

@@ -10,8 +10,9 @@
 //   IMAGE_START_CAPTURE of 1   a picture
 //
 // Pictures are counted for each item that moves the vehicle, by their numbers: one that nobody heard counts where a
-// later one was. Items are resolved in the order of the mission, so an act that may be reported holds up those after it
-// for outcome_late_ns. Thread: one at a time. Source: seen of ArduCopter 4.7.0-dev and PX4 1.18.0-beta1.
+// later one was. Items are resolved in the order of the mission, so an act that may be reported holds up those after
+// it, or the end of the plan, for outcome_late_ns. Thread: one at a time. Source: seen of ArduCopter 4.7.0-dev and
+// PX4 1.18.0-beta1.
 #pragma once
 
 #include <cstdint>

@@ -79,7 +79,7 @@ void report_completion(decision_context& t, bool is_inferred) {
   tell(t, progress_event_kind::mission_complete);
 }
 
-// What stands behind the last movement takes no time.
+// What stands behind the last movement takes no time, but for an act of which a report may come.
 void finish(decision_context& t, bool is_inferred) {
   auto& plan = *t.s.plan;
   if (plan.generation.is_finished || plan.generation.resolved < items_to_finish(plan.map))
@@ -91,11 +91,35 @@ void finish(decision_context& t, bool is_inferred) {
   report_completion(t, is_inferred);
 }
 
+void wait_if_new(decision_context& t, bool was_waiting) {
+  if (!was_waiting)
+    t.s.plan->generation.waiting_since_ns = t.now_ns;
+}
+
+// All that moves the vehicle is done, and of an act after it a report may still come.
+bool awaits_last_outcome(const followed_plan& plan) {
+  bool found = false;
+  for (auto i = plan.generation.resolved; i < plan.map.items.size(); ++i)
+    found = found || awaits_outcome(plan, i);
+  return found && !plan.generation.is_finished && plan.generation.resolved >= items_to_finish(plan.map) &&
+         !ends_in_loop(plan.map);
+}
+
+void finish_or_wait(decision_context& t, bool is_inferred) {
+  auto& g = t.s.plan->generation;
+  if (!awaits_last_outcome(*t.s.plan))
+    return finish_if_done(t, is_inferred);
+  if (g.complete_upto)
+    return;
+  wait_if_new(t, is_waiting(g));
+  g.complete_upto = static_cast<std::uint16_t>(end_sequence(t.s.plan->map) - 1);
+}
+
 void adopt_move(decision_context& t) {
   auto& g = t.s.plan->generation;
   g.current = *std::exchange(g.moved_to, std::nullopt);
   resolve_passed(t, g.current);
-  finish_if_done(t, true);
+  finish_or_wait(t, true);
   begin(t);
 }
 
@@ -103,8 +127,9 @@ void adopt_move(decision_context& t) {
 void adopt_complete(decision_context& t) {
   auto& plan = *t.s.plan;
   const auto upto = *std::exchange(plan.generation.complete_upto, std::nullopt);
+  const bool awaited_act = plan.generation.resolved >= items_to_finish(plan.map) && !ends_in_loop(plan.map);
   resolve_passed(t, static_cast<std::uint16_t>(upto + 1));
-  finish(t, true);
+  finish(t, !awaited_act || plan.last_reached < last_movement(plan.map));
   while (plan.generation.resolved < plan.map.items.size())
     resolve_next(t, progress_kind::skipped, true);
   finish(t, true);
@@ -133,11 +158,6 @@ void leave_loops(decision_context& t, std::uint16_t from, std::uint16_t to) {
   for (const auto& each : t.s.plan->map.loops)
     if (each.counts_anew && from <= each.jump_sequence && each.jump_sequence < to)
       std::erase_if(t.s.mission->jumps, [&](const taken_jump& jump) { return jump.item_id == jump_of(t, each); });
-}
-
-void wait_if_new(decision_context& t, bool was_waiting) {
-  if (!was_waiting)
-    t.s.plan->generation.waiting_since_ns = t.now_ns;
 }
 
 } // namespace
@@ -207,12 +227,12 @@ void arrive(decision_context& t, std::uint16_t sequence) {
   if (position && *position == g.resolved && done_sequence(plan.map.items[*position]) == sequence &&
       !awaits_outcome(plan, *position)) {
     resolve_next(t, progress_kind::reached, false);
-    finish_if_done(t, false);
+    finish_or_wait(t, false);
   }
   adopt_early_picture(t);
   if (g.moved_to && !awaits_outcome(plan))
     adopt_move(t);
-  if (g.complete_upto && sequence >= *g.complete_upto)
+  if (g.complete_upto && sequence >= *g.complete_upto && !awaits_last_outcome(plan))
     adopt_complete(t);
 }
 
@@ -227,7 +247,7 @@ void note_complete(decision_context& t, std::uint16_t sequence) {
   const bool was_waiting = is_waiting(g);
   const bool is_put_back = sequence < at; // ArduPilot, when it disarms
   g.complete_upto = is_put_back ? static_cast<std::uint16_t>(end_sequence(plan.map) - 1) : sequence;
-  if (g.moved_to || awaits_reached(plan))
+  if (g.moved_to || awaits_reached(plan) || awaits_last_outcome(plan))
     wait_if_new(t, was_waiting);
   else
     adopt_complete(t);
@@ -235,13 +255,20 @@ void note_complete(decision_context& t, std::uint16_t sequence) {
 
 bool has_waited(const decision_context& t) {
   const auto& plan = *t.s.plan;
-  return is_over(plan.generation.waiting_since_ns, t.now_ns, awaits_outcome(plan) ? outcome_late_ns : reached_late_ns);
+  const bool may_be_confirmed = awaits_outcome(plan) || awaits_last_outcome(plan);
+  return is_over(plan.generation.waiting_since_ns, t.now_ns, may_be_confirmed ? outcome_late_ns : reached_late_ns);
 }
 
 void go_on_if_known(decision_context& t) {
   const auto& plan = *t.s.plan;
-  if (plan.generation.moved_to && !awaits_reached(plan) && !awaits_outcome(plan))
+  const auto& g = plan.generation;
+  if (awaits_outcome(plan))
+    return;
+  if (g.moved_to && !awaits_reached(plan))
     adopt_move(t);
+  const bool has_reached = !awaits_reached(plan) || plan.last_reached == g.current;
+  if (g.complete_upto && !g.moved_to && has_reached && !awaits_last_outcome(plan))
+    adopt_complete(t);
 }
 
 void catch_up(decision_context& t) {

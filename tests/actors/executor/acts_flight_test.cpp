@@ -82,6 +82,23 @@ TEST(acts_flight, pictures_and_a_release_are_confirmed_by_who_reports_them) {
   }
 }
 
+// The plan ends with it, in the air.
+TEST(acts_flight, a_release_after_the_last_place_is_confirmed) {
+  const auto who = personality::ardupilot;
+  flight_world world({.who = who, .has_payload = true});
+  auto mission = photographing(who);
+  mission.items = {mission.items.front(), tests::place(who, "yard", 0, 30),
+                   act("drop", io::mavlink::mav_cmd::do_gripper, 1, 0, 0)};
+  world.load(mission);
+  const auto is_complete = [&] {
+    return !world.reports().empty() && world.reports().back().kind == progress_kind::complete;
+  };
+  ASSERT_TRUE(world.run_until(is_complete, 300)) << world.story();
+  const auto* drop = report_of(world, "drop");
+  ASSERT_NE(drop, nullptr) << world.story();
+  EXPECT_EQ(drop->outcome, act_outcome::confirmed) << world.story();
+}
+
 TEST(acts_flight, a_vehicle_without_camera_and_gripper_confirms_nothing) {
   for (const auto who : flyers) {
     flight_world world({.who = who});

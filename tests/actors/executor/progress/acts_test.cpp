@@ -79,6 +79,55 @@ TEST_F(acts, a_release_survives_a_crash_before_it_is_reported) {
   EXPECT_EQ(d.said(), (texts{"passed drop#1 g1 confirmed", "started C#2 g1"}));
 }
 
+struct last_act : acts {
+  void fly_to_last_release() {
+    auto map = map_of(d.vehicle, {"A", "drop"});
+    make_act(map, 1, act_kind::release);
+    fly(map);
+    d.reached(0);
+    EXPECT_EQ(d.said(), texts{"reached A#0 g1"});
+  }
+};
+
+TEST_F(last_act, a_release_after_the_last_movement_is_confirmed_and_ends_the_plan) {
+  fly_to_last_release();
+  EXPECT_EQ(d.news_told(), texts{}) << "the gripper may still report it";
+  d.wait_ms(500);
+  d.take(*act_in("Gripper load released"));
+  EXPECT_EQ(d.said(), (texts{"passed drop#1 g1 confirmed", "complete g1"}));
+  EXPECT_EQ(d.news_told(), (texts{"plan_done g1", "mission_complete g1"}));
+}
+
+TEST_F(last_act, a_release_after_the_last_movement_that_nobody_reports_is_passed_and_ends_the_plan) {
+  fly_to_last_release();
+  d.wait_s(1);
+  d.current(0);
+  EXPECT_EQ(d.said(), texts{});
+  d.wait_s(1);
+  d.current(0);
+  EXPECT_EQ(d.said(), (texts{"passed drop#1 g1 inferred", "complete g1"}));
+}
+
+// A PX4 reports the item as reached before its camera reports the picture.
+TEST_F(last_act, a_last_picture_that_comes_after_its_item_is_reached_is_confirmed) {
+  auto map = map_of(d.vehicle, {"A", "photo"});
+  make_act(map, 1, act_kind::picture);
+  fly(map);
+  d.reached(0);
+  d.current(1);
+  d.reached(1);
+  EXPECT_EQ(d.said(), texts{"reached A#0 g1"});
+  d.take(picture_told{4});
+  EXPECT_EQ(d.said(), (texts{"passed photo#1 g1 confirmed pictures 1: 4 to 4", "complete g1"}));
+}
+
+TEST_F(last_act, a_release_after_the_last_movement_survives_a_crash) {
+  fly_to_last_release();
+  d.crash();
+  d.take(*act_in("Gripper load released"));
+  EXPECT_EQ(d.said(), (texts{"passed drop#1 g1 confirmed", "complete g1"}));
+}
+
 // Somebody else may have opened the gripper on the way.
 TEST_F(acts, a_release_before_the_vehicle_is_there_confirms_nothing) {
   fly_with("drop", act_kind::release);

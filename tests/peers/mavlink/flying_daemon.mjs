@@ -12,7 +12,7 @@ import { home_text } from "./plans.mjs";
 
 const speed = "20"; // times real time
 
-async function free_port() {
+export async function free_port() {
   const socket = createSocket("udp4");
   socket.bind(0, "127.0.0.1");
   await once(socket, "listening");

@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 // What godwit puts on a vehicle from a mission file, against a direct upload of the same file by node-mavlink:
 //
-//   node upload_check.mjs GODWIT_SIM GODWITD GODWIT_TRACE [--expected TSV] [--all] [--changed] FILE|FOLDER...
+//   node upload_check.mjs [OPTION...] GODWIT_SIM GODWITD GODWIT_TRACE FILE|FOLDER...
 //
 // Two simulated vehicles of one kind, 5 m from the home of the file: node-mavlink uploads mission, fence and rally
 // points of the file to one of them, godwitd prepares the flight of the other. Both are read back, and each item must
@@ -9,8 +9,9 @@
 // What holds a fence or rally points alone is no mission: godwit-trace uploads it. Where godwit uploads nothing, its
 // own words say why, and the file counts apart. A line for each file, the last one counts them.
 //
-// --expected: which vehicle each file is for, as tests/data/missions/expected.tsv has it; else what the file says, or
-// an ArduCopter. --all: a file of which nothing is uploaded is an error, too. --changed: a field of the last item is
+// --station: godwitd does not read the file; the same upload goes to its port, and from there to the vehicle.
+// --expected TSV: which vehicle each file is for, as tests/data/missions/expected.tsv has it; else what the file says,
+// or an ArduCopter. --all: a file of which nothing is uploaded is an error, too. --changed: a field of the last item is
 // uploaded with another value, so the check must fail. Exit 0 if nothing differs without a reason, 1 if something
 // does, 2 on wrong usage.
 import { spawn, spawnSync } from "node:child_process";
@@ -19,7 +20,7 @@ import { tmpdir } from "node:os";
 import { basename, join } from "node:path";
 
 import { load_definitions } from "./definitions.mjs";
-import { with_vehicle } from "./flying_daemon.mjs";
+import { free_port, with_vehicle } from "./flying_daemon.mjs";
 import { end, ground_station } from "./ground_station.mjs";
 import { files_of, read_mission_file } from "./mission_file.mjs";
 
@@ -31,7 +32,7 @@ const units_per_degree = 1e7;
 const highest_home_m = 9_000; // of godwit-sim
 const patience_ms = 20_000; // for a vehicle that becomes ready at twenty times real time
 const upload_patience_ms = 60_000;
-const fence_patience_ms = 5_000;
+const fence_patience_ms = 15_000;
 const ardupilot_firmware = 3;
 
 // The simulated vehicles; a VTOL takes the items of what it is most like.
@@ -70,11 +71,11 @@ function uploads_of(file, is_ardupilot) {
   return [file.items.length > 0 ? wire_items(file, is_ardupilot) : [], fence, rally];
 }
 
-// Why the vehicle does not take LISTS; nothing: it does.
-async function upload_directly(station, lists) {
-  for (const [type, items] of lists.entries()) {
-    const result = items.length === 0 ? 0 : await station.upload(items, type);
-    if (result !== 0) return `the vehicle refuses the direct upload of the ${types[type]} with ${result}`;
+// Fence and rally points before the mission. Why STATION is refused; nothing: it is not.
+async function upload_lists(station, lists) {
+  for (const type of [fence_type, rally_type, mission_type]) {
+    const result = lists[type].length === 0 ? 0 : await station.upload(lists[type], type);
+    if (result !== 0) return `the upload of the ${types[type]} is refused with ${result}`;
   }
   return undefined;
 }
@@ -103,9 +104,11 @@ const reasons = [
 
 const is_same = (a, b) => a === b || (Number.isNaN(a) && Number.isNaN(b));
 
+const is_return_point = ({ command }) => command === return_point;
+
 // Godwit puts it behind the corners.
-const return_point_last = (items) => [...items.filter(({ command }) => command !== return_point),
-  ...items.filter(({ command }) => command === return_point)];
+const return_point_last = (items) =>
+  [...items.filter((each) => !is_return_point(each)), ...items.filter(is_return_point)];
 
 // The first of ITEMS that moves the vehicle is a take-off.
 const begins_with_takeoff = (items) =>
@@ -114,6 +117,10 @@ const begins_with_takeoff = (items) =>
 function compare(sent, direct, ours, context) {
   const errors = [];
   const excused = new Map();
+  if (context.is_station && direct.some(is_return_point) && !ours.some(is_return_point)) {
+    excused.set("a station's fence is used without its place of return, and the station is told", 1);
+    [sent, direct] = [sent, direct].map((items) => items.filter((each) => !is_return_point(each)));
+  }
   const next = direct.slice(ours.length);
   if (context.type === mission_type && ours.length > 0 && begins_with_takeoff(next))
     excused.set("after a landing the take-off begins the next plan", next.length);
@@ -137,11 +144,12 @@ function compare(sent, direct, ours, context) {
 
 // -- what godwit does ------------------------------------------------------------------------------
 
-// Why the flight does not become ready; nothing: it is, and what it needs is on the vehicle.
-async function prepare(daemon_path, path, port, folder) {
+// Why the flight does not become ready; nothing: it is, and what it needs is on the vehicle. SOURCE: options of godwitd
+// that say where the mission comes from. HAND_OVER may bring it there, and says why that was refused.
+async function prepare(daemon_path, source, port, folder, hand_over = async () => undefined) {
   const journal = join(folder, "godwit.db");
-  const options = ["--vehicle", `udpout://127.0.0.1:${port}`, "--mission", path, "--journal", journal,
-    "--trace", join(folder, "trace")];
+  const options = ["--vehicle", `udpout://127.0.0.1:${port}`, ...source, "--journal", journal, "--trace",
+    join(folder, "trace")];
   const daemon = spawn(daemon_path, options, { stdio: ["ignore", "ignore", "pipe"] });
   let said = "";
   daemon.stderr.setEncoding("utf8");
@@ -150,6 +158,8 @@ async function prepare(daemon_path, path, port, folder) {
   let sentence = "it did not start";
   let acknowledged = 0;
   const began = Date.now();
+  const refusal = await hand_over();
+  if (refusal) return { daemon, why: refusal };
   const patience = () => (sentence === "uploading" ? upload_patience_ms : patience_ms);
   for (; Date.now() - began < patience(); await new Promise((go) => setTimeout(go, 200))) {
     if (daemon.exitCode !== null) return { daemon, why: said.trim().split("\n").slice(0, 2).join(" ") };
@@ -182,14 +192,28 @@ function upload_list(programs, path, file, port, folder) {
   return done.status === 0 ? {} : { why: (done.stdout + done.stderr).trim() };
 }
 
+// Over the port of godwitd.
+async function prepare_for_station(daemon_path, lists, port, folder, definitions) {
+  const ground = await free_port();
+  const hand_over = () => with_station(ground, definitions, async (station) => {
+    await station.wait_for(["HEARTBEAT"], undefined, undefined, 0);
+    return upload_lists(station, lists);
+  });
+  return prepare(daemon_path, ["--ground", `udpin://127.0.0.1:${ground}`], port, folder, hand_over);
+}
+
 // WANTED: so long are the lists of the direct upload. Fence and rally points come when the flight is ready.
-async function upload_by_godwit(programs, path, file, [port, other], wanted, folder, definitions) {
+async function upload_by_godwit({ programs, is_station }, path, file, uploads, [port, other], wanted, folder,
+  definitions) {
   const is_alone = file.items.length === 0;
   const { daemon, why } = is_alone ? upload_list(programs, path, file, port, folder)
-    : await prepare(programs.daemon, path, port, folder);
+    : is_station ? await prepare_for_station(programs.daemon, uploads, port, folder, definitions)
+      : await prepare(programs.daemon, ["--mission", path], port, folder);
   try {
     if (why) return { why };
+    // A PX4 that is read takes no upload meanwhile: seldom, and not while they come.
     for (const until = Date.now() + fence_patience_ms; ; ) {
+      if (!is_alone && wanted[fence_type] + wanted[rally_type] > 0) await new Promise((go) => setTimeout(go, 3_000));
       const lists = await read_back(other, definitions);
       if (lists.every(({ length }, type) => length === wanted[type]) || Date.now() > until) return { lists };
     }
@@ -233,7 +257,8 @@ function verdict(file, found, count) {
   return { outcome: excused.length > 0 ? "equal but" : "equal", text: [`${count} items`, ...excused].join("; ") };
 }
 
-async function check_file({ programs, rows, is_changed }, path, definitions, folder) {
+async function check_file(given, path, definitions, folder) {
+  const { programs, rows, is_changed } = given;
   const file = read_mission_file(path);
   const personality = vehicle_for(path, file, rows);
   const is_ardupilot = personality !== "px4";
@@ -241,19 +266,23 @@ async function check_file({ programs, rows, is_changed }, path, definitions, fol
   if (is_changed) uploads.find((items) => items.length > 0).at(-1).param2 += 1;
   const vehicle = { personality, home: start_of(file), lines: 2 };
   const direct = await with_vehicle(programs.vehicle, vehicle, async ([port]) => {
-    const why = await with_station(port, definitions, (station) => upload_directly(station, uploads));
-    return why ? { why } : { lists: await read_back(port, definitions) };
+    const why = await with_station(port, definitions, (station) => upload_lists(station, uploads));
+    return why ? { why: `directly: ${why}` } : { lists: await read_back(port, definitions) };
   });
   if (direct.why) return { outcome: "not uploaded", text: direct.why };
-  const lengths = direct.lists.map(({ length }) => length);
+  const lengths = direct.lists.map((items) =>
+    items.filter((each) => !given.is_station || !is_return_point(each)).length);
   const { why, lists } = await with_vehicle(programs.vehicle, vehicle, (ports) =>
-    upload_by_godwit(programs, path, file, ports, lengths, folder, definitions));
+    upload_by_godwit(given, path, file, uploads, ports, lengths, folder, definitions));
   if (why) return { outcome: "not uploaded", text: why };
   return verdict(file, lists.map((ours, type) =>
-    compare(uploads[type], direct.lists[type], ours, { is_ardupilot, type })), direct.lists.flat().length);
+    compare(uploads[type], direct.lists[type], ours, { is_ardupilot, type, is_station: given.is_station })),
+  direct.lists.flat().length);
 }
 
 // -- the program -----------------------------------------------------------------------------------
+
+const flags = ["--changed", "--all", "--station"];
 
 function arguments_of(given) {
   const at = given.indexOf("--expected");
@@ -262,15 +291,16 @@ function arguments_of(given) {
     const [, table] = given.splice(at, 2);
     for (const line of readFileSync(table, "utf8").split("\n")) rows.set(...line.split("\t"));
   }
-  const [is_changed, needs_all] = ["--changed", "--all"].map((each) => given.includes(each));
-  const [vehicle, daemon, trace, ...places] = given.filter((each) => !["--changed", "--all"].includes(each));
-  return { programs: { vehicle, daemon, trace }, files: files_of(places), rows, is_changed, needs_all };
+  const [is_changed, needs_all, is_station] = flags.map((each) => given.includes(each));
+  const [vehicle, daemon, trace, ...places] = given.filter((each) => !flags.includes(each));
+  return { programs: { vehicle, daemon, trace }, files: files_of(places), rows, is_changed, needs_all,
+    is_station };
 }
 
 const given = arguments_of(process.argv.slice(2));
 if (given.files.length === 0) {
-  console.error("usage: upload_check.mjs GODWIT_SIM GODWITD GODWIT_TRACE [--expected TSV] [--all] [--changed] " +
-    "FILE|FOLDER...");
+  console.error("usage: upload_check.mjs [--station] [--expected TSV] [--all] [--changed] GODWIT_SIM GODWITD " +
+    "GODWIT_TRACE FILE|FOLDER...");
   process.exit(2);
 }
 const definitions = await load_definitions();

@@ -7,13 +7,13 @@
 //                           cross; else the lines that the ground station had laid, as waypoints
 //   CorridorScan            the lines that the ground station had laid, as waypoints
 //   fwLandingPattern, vtolLandingPattern
-//                           a waypoint where the approach begins, and a land; the circle down is a loss
+//                           the commands that the ground station lays for it
 //   StructureScan           left out, as a loss
-//   fence polygons          geofences; circles become polygons, inclusions within the circle and exclusions around it
-//   rally points            left out, as losses: a mission returns to one point
+//   fence polygons          geofences; circles are judged by polygons within them (inclusions) or around them
+//   rally points            rally points
 //   planned home position   the planned home: compared with the vehicle's, and never flown to; 0/0 is none
 //
-// Cameras, gimbals and payload are losses each. Speeds and firmware of the file's head only help to read it. Errors: as
+// Speeds of the file's head are not read; firmware and type are the vehicle of the mission. Errors: as
 // values; the losses are in the error when it is `lossy`. Thread: pure. Source: QGroundControl's developer guide, "Plan
 // File Format".
 #pragma once

@@ -8,6 +8,7 @@
 #include "actors/domain/vehicle_text/vehicle_text.hpp"
 #include "actors/executor/flight/new_run.hpp"
 #include "actors/executor/progress/acts.hpp"
+#include "actors/executor/remaining.hpp"
 #include "actors/executor/state_token.hpp"
 #include "io/mavlink/enums.hpp"
 #include "runtime/planted_bug.hpp"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "actors/domain/control_authority/mode_tables.hpp"
 #include "actors/domain/mission/rules.hpp"
 #include "actors/executor/plan/mission_look.hpp"
 #include "actors/executor/plan/vehicle_items.hpp"
@@ -44,6 +45,12 @@ const io::mavlink::mission_item_int* last_flown_item(const state& s) {
       return &items[*last];
   const auto last = std::find_if(items.rbegin(), items.rend(), plan::is_nav);
   return last == items.rend() ? &items.back() : &*last;
+}
+
+flight::plan_end end_of_plan(const flight::mode_owner& whose, const state& s) {
+  const auto* const last = last_flown_item(s);
+  return last == nullptr || !plan::is_nav(*last) ? flight::plan_end{}
+                                                 : flight::plan_end_of(whose, last->command, last->seq);
 }
 
 std::size_t first_remaining(const mission::document& mission, const std::optional<std::string>& last_done) {

@@ -10,8 +10,10 @@
 
 #include <tl/expected.hpp>
 
+#include "actors/domain/flight_mode/flight_modes.hpp"
 #include "actors/executor/plan/change_ids.hpp"
 #include "actors/executor/state.hpp"
+#include "messages/flight/plan_end.hpp"
 #include "messages/mission/change.hpp"
 #include "messages/mission/document.hpp"
 
@@ -41,6 +43,9 @@ namespace godwit::executor {
 // The vehicle item with which the plan on the vehicle ends: the last one that moves it, without what comes after a
 // landing and is kept for a failure. Null: there is no plan.
 [[nodiscard]] const io::mavlink::mission_item_int* last_flown_item(const state& s);
+
+// How the plan on the vehicle ends.
+[[nodiscard]] flight::plan_end end_of_plan(const flight::mode_owner& whose, const state& s);
 
 struct reassigned {
   mission::document mission;

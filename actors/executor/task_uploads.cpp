@@ -1,21 +1,28 @@
-// What becomes of a plan that a task brings to the vehicle.
+// The end of an upload: the vehicle has answered, may check the plan, and progress applies what came of it.
 #include "actors/executor/task_runner.hpp"
 
 namespace godwit::executor {
 
 namespace transfer = vehicle_link::transfer;
 
+void task_runner::begin_upload(const world& w) {
+  if (attempts_.tries == 1)
+    uploads_.begin(w.now_ns);
+  held_infeasible_ = w.view.finds_infeasible();
+  w.seen.plan.forget();
+}
+
 void task_runner::on_transfer(const world& w, std::uint64_t number, const transfer::outcome& outcome) {
   if (!task_ || ended_ || number != last_order_)
     return;
   if (stage_ == stage::proving)
     return on_read(w, outcome);
-  if (stage_ != stage::asked)
+  if (stage_ != stage::sent)
     return;
   last_reason_ = outcome.reason;
-  looked_ns_ = 0;
-  if (std::holds_alternative<clear_plan>(way_[at_]))
-    return outcome.verdict == transfer::verdict::accepted ? next_step() : was_not_done(w, outcome.reason, false);
+  step_.observed_ns = 0;
+  if (is_at<clear_plan>())
+    return outcome.verdict == transfer::verdict::accepted ? next_step() : retry_or_fail(w, outcome.reason, false);
   uploaded_ns_ = w.now_ns;
   if (uploads_.go_on(outcome, w.now_ns))
     return enter(stage::pausing, w.now_ns + pause_between_ns);
@@ -28,7 +35,7 @@ void task_runner::on_transfer(const world& w, std::uint64_t number, const transf
   judge_upload(w);
 }
 
-// What it says right behind the upload may still be about the plan before: that counts where the two differ.
+// What it reports right after the upload may still be about the plan before: that counts where the two differ.
 std::optional<bool> task_runner::is_judged_infeasible(const vehicle_view& view) const {
   const auto& current = view.current();
   if (!judged_ || judged_->verdict != transfer::verdict::accepted || !current ||
@@ -45,7 +52,7 @@ progress::upload_ended task_runner::end_of_upload(const vehicle_view& view) {
   was_infeasible_ = is_judged_infeasible(view).value_or(false);
   if (!was_infeasible_)
     return result;
-  const auto words = view.warned_since(asked_ns_);
+  const auto words = view.warned_since(attempts_.sent_ns);
   last_reason_ =
       "the vehicle has taken the plan, and finds that it can not be flown" +
       (words.empty() ? ", by its own fence, its parameters or its state; it reports why to ground stations alone"
@@ -62,7 +69,7 @@ void task_runner::judge_upload(const world& w) {
   enter(stage::closing);
 }
 
-// The upload's end is applied; where it was not known, progress has it looked at.
+// The upload's end is applied; where it was not known, progress reads the plan back.
 void task_runner::resolve_upload(const world& w) {
   if (w.durable.progress.upload)
     return;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "actors/executor/remaining.hpp"
 #include "io/fields/field_table.hpp"
 #include "io/mavlink/enums.hpp"
 #include "runtime/planted_bug.hpp"

@@ -130,7 +130,7 @@ bool flight_end::leave_mission_mode(effects& out, instant now) {
   if (!view.is_in(mode_kind::mission) || disarmed_since_ns_ == 0 || now.now_ns - disarmed_since_ns_ < stands_ns)
     return false;
   has_stood_by_ = true;
-  tasks_.begin(out, task_kind::stand_by, {stand_by{}});
+  tasks_.begin(out, task_kind::stand_by, {safe_ground_mode{}});
   return true;
 }
 
@@ -145,7 +145,7 @@ bool flight_end::hold_where_mission_ended(effects& out) {
       announce{"the mission is over and the vehicle stands armed in its mission mode: it is commanded to hold. "
                "Disarm it before anybody comes near",
                true});
-  tasks_.begin(out, task_kind::stand_by, {executor::stand_by{true}});
+  tasks_.begin(out, task_kind::stand_by, {safe_ground_mode{true}});
   return true;
 }
 

@@ -7,6 +7,7 @@
 
 #include "actors/domain/control_authority/mode_tables.hpp"
 #include "actors/executor/flight/vehicle_steps.hpp"
+#include "actors/executor/remaining.hpp"
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/plan_meaning.hpp"
 #include "runtime/planted_bug.hpp"

@@ -156,7 +156,7 @@ bool return_place::free_home(effects& out) {
   if (!s.has_commanded_home || !is_mission_over || flight_.has_person() || flight_.runner.is_busy() ||
       !flight_.view.is_connected() || !flight_.view.mode() || flight_.view.is_armed())
     return false;
-  tasks_.begin(out, task_kind::free_home, {executor::free_home{}});
+  tasks_.begin(out, task_kind::free_home, {reset_home{}});
   return true;
 }
 

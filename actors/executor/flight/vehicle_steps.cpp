@@ -17,7 +17,7 @@ steps out_of_mission_steps(const flight_context& flight) {
   const bool stands_behind_it = flight.view.says_complete() && !flight.is_in_air();
   if (!flight.view.is_in(mode_kind::mission) || (flight.view.is_armed() && !stands_behind_it))
     return {};
-  return {stand_by{flight.view.is_armed()}};
+  return {safe_ground_mode{flight.view.is_armed()}};
 }
 
 // An ArduPilot counts its jumps by their place in the plan, also in a plan that has replaced another one, until it is
@@ -31,14 +31,14 @@ steps way_to_plan(const flight_context& flight, const progress::plan_map& map, b
     steps result = out_of_mission_steps(flight);
     if (flight.view.finds_infeasible())
       result.emplace_back(clear_plan{});
-    result.emplace_back(bring_plan{});
+    result.emplace_back(upload_plan{});
     return result;
   }
   if (flight.view.owner().autopilot == mav_autopilot::px4) {
     steps result;
     if (!goes_on && flight.view.is_in(mode_kind::mission))
       result = {guard{}, change_mode{mode_kind::hold}};
-    result.emplace_back(bring_plan{});
+    result.emplace_back(upload_plan{});
     result.emplace_back(guard{});
     if (goes_on && is_same && flight.view.says_complete()) // it is not begun anew, and would be held
       result.emplace_back(set_to(flight, map, map.start_sequence));
@@ -47,7 +47,7 @@ steps way_to_plan(const flight_context& flight, const progress::plan_map& map, b
     return result;
   }
   // Whose hold that is, is on the disk first.
-  steps result{guard{}, change_mode{mode_kind::hold}, bring_plan{}, guard{}};
+  steps result{guard{}, change_mode{mode_kind::hold}, upload_plan{}, guard{}};
   if (flight.is_ardupilot()) {
     result.emplace_back(set_to(flight, map, map.start_sequence));
     if (goes_on)
@@ -69,7 +69,7 @@ steps start_steps(const flight_context& flight, std::uint16_t sequence) {
   steps result{guard{}};
   const bool commands_home = flight.commands_home();
   if (commands_home)
-    result.emplace_back(set_home{});
+    result.emplace_back(restore_home{});
   if (!flight.view.is_armed()) {
     for (auto& each : out_of_mission_steps(flight))
       result.push_back(std::move(each));
@@ -78,7 +78,7 @@ steps start_steps(const flight_context& flight, std::uint16_t sequence) {
     result.emplace_back(arm{});
   }
   if (commands_home)
-    result.emplace_back(see_home{});
+    result.emplace_back(confirm_home{});
   // In its mission mode a PX4 goes on where it was in the same plan, or is through with it: it is told where to begin.
   const auto& current = flight.view.current();
   const bool goes_on_elsewhere = flight.view.owner().autopilot == mav_autopilot::px4 && current &&

@@ -23,9 +23,9 @@ TEST(announced_modes, of_a_resume_are_those_of_the_mission) {
 }
 
 TEST(announced_modes, of_a_replan_are_those_behind_its_guard) {
-  const steps way{change_mode{mode_kind::hold}, bring_plan{}, guard{}, change_mode{mode_kind::mission}};
+  const steps way{change_mode{mode_kind::hold}, upload_plan{}, guard{}, change_mode{mode_kind::mission}};
   EXPECT_EQ(announced_modes(task_kind::deploy, way, 2, px4), mission_modes());
-  EXPECT_TRUE(announced_modes(task_kind::deploy, {bring_plan{}, guard{}}, 1, px4).empty()) << "it stays held";
+  EXPECT_TRUE(announced_modes(task_kind::deploy, {upload_plan{}, guard{}}, 1, px4).empty()) << "it stays held";
 }
 
 TEST(announced_modes, of_a_start_there_are_none) {

@@ -110,7 +110,7 @@ void task_runner::send(const world& w) {
   last_reason_.clear();
   why_failed_.clear();
   was_refused_for_now_ = false;
-  generation_before_ = w.durable.progress.last_generation; // an intent is noted: only its end opens another one
+  generation_before_ = w.durable.progress.last_generation; // what the service has reported may have raised it since
   enter(stage::sent);
   const auto& what = way_[at_];
   if (is_at<guard>())

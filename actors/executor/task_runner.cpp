@@ -165,6 +165,7 @@ void task_runner::begin_step(const world& w) {
   if (allowed == permission::prove)
     return prove_plan(w);
   if (intent() != step_intent::none && !std::exchange(step_.is_intent_noted, true)) {
+    generation_before_ = w.durable.progress.last_generation; // only the end of this intent opens another one
     if (const auto* item = std::get_if<set_current_item>(&way_[at_]))
       return note_and_wait(w, start_at(w.view, item->sequence));
     if (const auto* start = std::get_if<start_plan>(&way_[at_]))

@@ -391,6 +391,26 @@ TEST_P(rule, a_vehicle_without_plan_ids_is_held_while_its_plan_is_replaced) {
   EXPECT_EQ(is_held, GetParam() != sim::personality::px4) << world.story();
 }
 
+// The start has opened a generation since its order: that is no sign of a plan which came.
+TEST_P(rule, a_replan_that_was_never_sent_has_failed) {
+  if (GetParam() != sim::personality::px4)
+    return; // all others hold first
+  flight_world world({.who = GetParam(), .speed = 1});
+  ASSERT_TRUE(fly(world));
+  const auto generation = world.durable().progress.last_generation;
+  const auto orders = world.orders();
+  world.lose_command(io::mavlink::number(io::mavlink::mav_cmd::request_message), 1000);
+  world.assign(another_tail(1));
+  ASSERT_TRUE(world.run_until([&] { return world.durable().doing.has_value(); }, 5)) << world.story();
+  ASSERT_TRUE(world.run_until([&] { return !world.durable().doing; }, 20)) << world.story();
+  EXPECT_EQ(world.orders(), orders) << world.story();
+  EXPECT_EQ(world.durable().progress.last_generation, generation);
+  EXPECT_TRUE(std::ranges::any_of(
+      world.said(),
+      [](const auto& each) { return each.find("the vehicle goes on with the plan that it has") != std::string::npos; }))
+      << world.sentence() << world.story();
+}
+
 // DO_SET_MISSION_CURRENT is acknowledged also by a vehicle that holds another plan.
 TEST_P(rule, behind_a_replan_an_ardupilot_goes_on_only_when_it_shows_the_item_of_the_new_plan) {
   if (GetParam() != sim::personality::ardupilot)

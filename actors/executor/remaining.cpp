@@ -3,22 +3,12 @@
 #include <algorithm>
 
 #include "actors/domain/control_authority/mode_tables.hpp"
+#include "actors/domain/mission/commands/item_class.hpp"
 #include "actors/domain/mission/rules.hpp"
 #include "actors/executor/plan/mission_look.hpp"
 #include "actors/executor/plan/vehicle_items.hpp"
 
 namespace godwit::executor {
-namespace {
-
-std::optional<std::size_t> place_of(const mission::document& mission, const std::string& id) {
-  const auto found = std::find_if(mission.items.begin(), mission.items.end(),
-                                  [&](const mission::item& each) { return id_of(each) == id; });
-  if (found == mission.items.end())
-    return std::nullopt;
-  return static_cast<std::size_t>(found - mission.items.begin());
-}
-
-} // namespace
 
 std::optional<std::string> last_done(const state& s) {
   if (!s.mission || !s.progress.plan || s.progress.plan->map.items.empty())
@@ -56,13 +46,13 @@ flight::plan_end end_of_plan(const flight::mode_owner& whose, const state& s) {
 std::size_t first_remaining(const mission::document& mission, const std::optional<std::string>& last_done) {
   if (!last_done)
     return 0;
-  const auto place = place_of(mission, *last_done);
+  const auto place = mission::index_of(mission.items, *last_done);
   return place ? *place + 1 : 0;
 }
 
 std::size_t first_to_fly(const mission::document& mission, const mission::document& flown,
                          const std::optional<std::string>& last_done) {
-  const auto is_new = [&](const mission::item& each) { return !place_of(flown, id_of(each)); };
+  const auto is_new = [&](const mission::item& each) { return !mission::index_of(flown.items, id_of(each)); };
   const auto first_new = std::find_if(mission.items.begin(), mission.items.end(), is_new);
   return std::min(first_remaining(mission, last_done), static_cast<std::size_t>(first_new - mission.items.begin()));
 }
@@ -126,7 +116,7 @@ tl::expected<reassigned, std::string> reassign(const mission::document& mission,
                                " of the mission, and the vehicle flies revision " + std::to_string(mission.revision));
   std::size_t kept = 0;
   if (assignment.replace_after_item_id) {
-    const auto place = place_of(mission, *assignment.replace_after_item_id);
+    const auto place = mission::index_of(mission.items, *assignment.replace_after_item_id);
     if (!place)
       return tl::make_unexpected("the mission has no item '" + *assignment.replace_after_item_id +
                                  "' after which items could be replaced");

@@ -52,7 +52,6 @@ public:
   void on_following(bool following) { memory_.following = following; }
 
   [[nodiscard]] link_phase evaluate(instant now);
-  [[nodiscard]] std::int64_t silent_ms(instant now) const { return (now.monotonic_ns - heard_ns_) / ns_per_ms; }
   [[nodiscard]] const link_memory& memory() const { return memory_; }
 
 private:

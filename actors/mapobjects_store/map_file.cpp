@@ -101,6 +101,4 @@ const io::sqlite::store_format& map_format() {
   return format;
 }
 
-std::int64_t newest_schema_version() { return static_cast<std::int64_t>(map_format().migrations.size()); }
-
 } // namespace godwit::mapobjects_store

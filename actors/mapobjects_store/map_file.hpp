@@ -43,6 +43,5 @@ struct map_file_options {
 inline constexpr std::int32_t map_application_id = 0x676f646d; // "godm"
 
 [[nodiscard]] const io::sqlite::store_format& map_format();
-[[nodiscard]] std::int64_t newest_schema_version();
 
 } // namespace godwit::mapobjects_store

@@ -80,9 +80,4 @@ map_result<object_page> map_reader::objects(const object_place& after) {
   return page;
 }
 
-map_result<std::vector<owed>> map_reader::what_is_owed() {
-  const one_state state(*db_);
-  return state.begun().and_then([&] { return all_owed(*q_); });
-}
-
 } // namespace godwit::mapobjects_store

@@ -1,4 +1,4 @@
-// Reads the map beside its writer: what is shown, page by page, what is owed, how far it can be relied on.
+// Reads the map beside its writer: what is shown, page by page, and how far it can be relied on.
 //
 // Each call sees one committed state, whole. Thread: one at a time; open as many readers as you like. Blocks on the
 // disk.
@@ -35,7 +35,6 @@ public:
 
   [[nodiscard]] map_result<map_row> map();
   [[nodiscard]] map_result<object_page> objects(const object_place& after = {});
-  [[nodiscard]] map_result<std::vector<owed>> what_is_owed();
 
 private:
   explicit map_reader(io::sqlite::database db);

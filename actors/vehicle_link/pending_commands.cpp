@@ -116,10 +116,8 @@ void pending_commands::send_no_more_copies(const send_command& of) {
 std::optional<resolved_command> pending_commands::acknowledge(const io::mavlink::command_ack& ack,
                                                               std::uint8_t component, std::int64_t now_ns) {
   const auto found = waiting_.find({ack.command, component});
-  if (found == waiting_.end()) {
-    ++unmatched_;
+  if (found == waiting_.end())
     return std::nullopt;
-  }
   auto& entry = found->second;
   entry.what.copies = 1;
   if (round_trips_ns_.size() == round_trips_kept)

@@ -59,7 +59,6 @@ public:
 
   [[nodiscard]] std::optional<std::int64_t> next_deadline_ns() const;
   [[nodiscard]] std::size_t in_flight() const { return waiting_.size(); }
-  [[nodiscard]] std::uint64_t unmatched() const { return unmatched_; }
   // It waits for its answer, or has until lately: an answer without an addressee may be a repetition of that one.
   [[nodiscard]] bool is_own(std::uint16_t command, std::int64_t now_ns) const;
 
@@ -83,7 +82,6 @@ private:
   std::vector<std::int64_t> round_trips_ns_; // of the newest answers
   std::map<key, waiting> waiting_;
   std::map<std::uint16_t, std::int64_t> own_; // command id, when it was sent last
-  std::uint64_t unmatched_ = 0;
 };
 
 // "the vehicle denied it", for a MAV_RESULT.

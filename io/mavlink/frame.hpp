@@ -30,7 +30,6 @@ public:
   [[nodiscard]] std::size_t size() const { return size_; }
 
   [[nodiscard]] std::uint8_t incompat() const { return byte_at(begin_, incompat_at); }
-  [[nodiscard]] std::uint8_t compat() const { return byte_at(begin_, compat_at); }
   [[nodiscard]] std::uint8_t sequence() const { return byte_at(begin_, sequence_at); }
   [[nodiscard]] std::uint8_t system() const { return byte_at(begin_, system_at); }
   [[nodiscard]] std::uint8_t component() const { return byte_at(begin_, component_at); }

@@ -197,10 +197,8 @@ void sender_table::note_other(sender who, std::uint8_t sequence) {
   }
   before_.reset();
   last_ = used_;
-  if (used_ == max_senders) {
-    ++not_followed_;
+  if (used_ == max_senders)
     return;
-  }
   senders_[used_++] = {who, sequence, 0, 1, 0, 0};
 }
 

@@ -99,7 +99,6 @@ public:
     return std::ranges::any_of(all(), [&](const sender_counters& each) { return each.who == who; });
   }
   [[nodiscard]] std::span<const sender_counters> all() const { return std::span(senders_).first(used_); }
-  [[nodiscard]] std::uint64_t not_followed() const { return not_followed_; } // frames
 
 private:
   static void count(sender_counters& each, std::uint8_t sequence);
@@ -110,7 +109,6 @@ private:
   std::size_t used_ = 0;
   std::size_t last_ = 0;                  // who spoke last probably speaks again
   std::optional<sender_counters> before_; // that one, before its last frame; none: it was not known
-  std::uint64_t not_followed_ = 0;
 };
 
 // In front of BYTES stands a frame of a known id, whole and with the right checksum.

@@ -75,7 +75,7 @@ result<void> segment_folder::provide() const {
   }
   struct stat found {};
   if (::stat(options_.folder.c_str(), &found) != 0) {
-    return tl::make_unexpected(system_error(options_.folder.string(), "look at folder", errno));
+    return tl::make_unexpected(system_error(options_.folder.string(), "stat folder", errno));
   }
   if (found.st_uid != ::geteuid()) {
     return tl::make_unexpected(error{errc::invalid_argument, options_.folder.string(),
@@ -166,12 +166,10 @@ result<fs::path> segment_folder::add(std::uint64_t run) {
 
 result<void> segment_folder::make_room() {
   while (!segments_.empty() && total_bytes() + options_.segment_bytes > options_.total_bytes) {
-    const std::uint64_t size_bytes = segments_.front().size_bytes;
     if (auto removed = remove(segments_.begin()); !removed) {
       return removed;
     }
     ++segments_deleted_;
-    bytes_deleted_ += size_bytes;
   }
   return {};
 }

@@ -62,7 +62,6 @@ public:
   [[nodiscard]] const std::vector<segment>& segments() const { return segments_; } // oldest first
   [[nodiscard]] std::uint64_t total_bytes() const;
   [[nodiscard]] std::uint64_t segments_deleted() const { return segments_deleted_; }
-  [[nodiscard]] std::uint64_t bytes_deleted() const { return bytes_deleted_; }
   [[nodiscard]] const segment_folder_options& options() const { return options_; }
 
 private:
@@ -77,7 +76,6 @@ private:
   std::uint64_t last_run_ = 0; // of the newest name that was given
   std::uint64_t last_number_ = 0;
   std::uint64_t segments_deleted_ = 0;
-  std::uint64_t bytes_deleted_ = 0;
 };
 
 } // namespace godwit::io::mcap

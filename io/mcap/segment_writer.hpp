@@ -48,7 +48,6 @@ public:
   [[nodiscard]] bool is_in_place() const { return file_.is_in_place(); } // of what is open
   [[nodiscard]] std::uint64_t bytes_written() const { return file_.size_bytes(); }
   [[nodiscard]] std::uint64_t messages_flushed() const { return messages_flushed_; }
-  [[nodiscard]] std::uint64_t messages_pending() const { return chunk_.message_count(); }
   // Messages that were accepted by write() but could not be flushed, since open().
   [[nodiscard]] std::uint64_t messages_lost() const { return messages_lost_; }
   // An upper bound for the size of the closed file, if this message were written into it first.

@@ -328,11 +328,6 @@ address_counters stable_address::counters() const {
   return result;
 }
 
-std::size_t stable_address::parked() const {
-  const std::shared_lock guard(mutex_);
-  return parked_.size();
-}
-
 std::size_t stable_address::waiting() const {
   const std::shared_lock guard(mutex_);
   const auto taken = taken_.load(std::memory_order_relaxed); // before the others: more may come meanwhile

@@ -141,7 +141,6 @@ public:
 
   // -- anybody ------------------------------------------------------------------------------------
   [[nodiscard]] address_counters counters() const;
-  [[nodiscard]] std::size_t parked() const;
   [[nodiscard]] std::size_t waiting() const; // in the mailbox of the incarnation, and parked
 
 private:

@@ -103,7 +103,6 @@ public:
   // What a record keeps of it.
   [[nodiscard]] const std::optional<flight_mode>& ours() const { return ours_; }
   [[nodiscard]] const std::vector<std::uint32_t>& expected() const { return expected_; }
-  [[nodiscard]] std::int64_t expected_until_ns() const { return expected_until_ns_; }
 
 private:
   struct change {

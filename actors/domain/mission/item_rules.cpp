@@ -66,14 +66,13 @@ void add_command_place(const command_item& each, const std::string& pointer, pro
 
 // What is wrong with the jump at INDEX, and what would be right; nothing: it is sound.
 std::optional<document_problem> jump_fault(std::span<const item> items, std::size_t index, const jump& each) {
-  const auto target = std::ranges::find_if(items, [&](const item& other) { return id_of(other) == each.to; });
-  if (target == items.end())
+  const auto to = index_of(items, each.to);
+  if (!to)
     return document_problem{{}, "is " + in_quotes(each.to) + ", which no item is called", "the id of an item"};
-  const auto to = static_cast<std::size_t>(target - items.begin());
-  if (to == index)
+  if (*to == index)
     return document_problem{{}, "leads to itself", "the id of another item"};
-  const bool is_endless = each.times < 0 && to < index;
-  if (is_endless && std::none_of(items.begin() + static_cast<std::ptrdiff_t>(to),
+  const bool is_endless = each.times < 0 && *to < index;
+  if (is_endless && std::none_of(items.begin() + static_cast<std::ptrdiff_t>(*to),
                                  items.begin() + static_cast<std::ptrdiff_t>(index), moves_vehicle))
     return document_problem{
         {}, "leads back for ever, and no item in between moves the vehicle", "an item that moves it"};

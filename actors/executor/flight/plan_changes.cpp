@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "actors/domain/mission/commands/item_class.hpp"
 #include "actors/domain/uuid/uuid.hpp"
 #include "actors/executor/flight/mission_list.hpp"
 #include "actors/executor/plan/fence_check.hpp"
@@ -170,12 +171,10 @@ plan_changes::change_or_reason plan_changes::cancel(instant now) const {
 plan_changes::change_or_reason plan_changes::insert(const operators::command& m) const {
   auto after = last_done(flight_.s);
   if (!m.after.empty()) {
-    const auto& items = flight_.s.mission->items;
-    const auto found =
-        std::find_if(items.begin(), items.end(), [&](const auto& each) { return mission::id_of(each) == m.after; });
-    if (found == items.end())
+    const auto index = mission::index_of(flight_.s.mission->items, m.after);
+    if (!index)
       return tl::make_unexpected("the mission has no item '" + m.after + "'");
-    if (static_cast<std::size_t>(found - items.begin()) + 1 < first_remaining(*flight_.s.mission, after))
+    if (*index + 1 < first_remaining(*flight_.s.mission, after))
       return tl::make_unexpected("what comes after item '" + m.after + "' is flown already");
     after = m.after;
   }

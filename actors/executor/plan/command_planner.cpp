@@ -168,10 +168,10 @@ std::optional<mission::position> item_planner::position_of(const mission::item& 
 
 // The way that the jump makes is judged as well: from here to the first place after its target.
 item_planner::outcome item_planner::plan(const mission::jump& item) {
-  const auto target =
-      std::ranges::find_if(mission_.items, [&](const mission::item& each) { return mission::id_of(each) == item.to; });
-  for (auto each = target; each != mission_.items.end() && item.times != 0; ++each)
-    if (const auto place = position_of(*each)) {
+  const auto& items = mission_.items;
+  const auto target = mission::index_of(items, item.to).value_or(items.size());
+  for (auto at = target; at < items.size() && item.times != 0; ++at)
+    if (const auto place = position_of(items[at])) {
       if (writer_.is_in_air() || is(vehicle_class::rover))
         writer_.jump_to(*place);
       break;

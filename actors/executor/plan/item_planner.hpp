@@ -106,7 +106,6 @@ private:
 
   outcome return_by_places(const mission::position& goal);
   void return_by_itself(const mission::position& goal);
-  void stay(const mission::position& at, double radius_m);
 
   [[nodiscard]] outcome why_not_flown() const;
   [[nodiscard]] outcome why_not_there(const mission::position& at) const;

@@ -18,9 +18,7 @@ const mission::jump* jump_at(const mission::document& mission, std::size_t index
 
 // Its size: there is none.
 std::size_t target_of(const mission::document& mission, const mission::jump& jump) {
-  const auto found =
-      std::ranges::find_if(mission.items, [&](const mission::item& each) { return mission::id_of(each) == jump.to; });
-  return static_cast<std::size_t>(found - mission.items.begin());
+  return mission::index_of(mission.items, jump.to).value_or(mission.items.size());
 }
 
 bool has_landing(const mission::document& mission, std::size_t begin, std::size_t end) {

@@ -6,6 +6,7 @@
 
 #include "actors/domain/mission/commands/item_class.hpp"
 #include "actors/executor/plan/change_ids.hpp"
+#include "actors/executor/plan/vehicle_items.hpp"
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/frame_meaning.hpp"
 
@@ -44,19 +45,9 @@ bool is_single_picture(const mission::item& each) {
   return command != nullptr && command->command == number(mav_cmd::image_start_capture) && command->params[2] == 1;
 }
 
-bool switches_off(const mission::item& each) {
-  const auto& command = std::get<mission::command_item>(each);
-  switch (static_cast<mav_cmd>(command.command)) {
-  case mav_cmd::do_set_roi_none:
-  case mav_cmd::image_stop_capture:
-    return true;
-  case mav_cmd::do_set_cam_trigg_dist:
-  case mav_cmd::do_set_cam_trigg_interval:
-  case mav_cmd::do_trigger_control:
-    return !(command.params[0].value_or(0) > 0);
-  default:
-    return false;
-  }
+bool switches_off(const mission::command_item& each) {
+  const auto change = trigger_change_of(each.command, each.params[0].value_or(0), each.params[2].value_or(0));
+  return each.command == number(mav_cmd::do_set_roi_none) || (change && change->value == 0);
 }
 
 } // namespace
@@ -125,7 +116,7 @@ std::vector<std::size_t> state_before(const mission::document& mission, std::siz
   }
   std::vector<std::size_t> found;
   for (const auto& [state, at] : last)
-    if (is_command(mission.items[at]) && !switches_off(mission.items[at]))
+    if (is_command(mission.items[at]) && !switches_off(std::get<mission::command_item>(mission.items[at])))
       found.push_back(at);
   std::ranges::sort(found);
   return found;

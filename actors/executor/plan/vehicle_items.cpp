@@ -159,16 +159,16 @@ mission_item_int jump_item(std::int32_t times) {
   return bare_item(mav_cmd::do_jump, {0, static_cast<double>(times), 0, 0});
 }
 
-std::optional<trigger_change> trigger_change_of(const mission_item_int& item) {
+std::optional<trigger_change> trigger_change_of(std::uint16_t command, double param1, double param3) {
   using by = trigger_change::by;
-  switch (static_cast<mav_cmd>(item.command)) {
+  switch (static_cast<mav_cmd>(command)) {
   case mav_cmd::do_set_cam_trigg_dist:
-    return trigger_change{by::distance, std::max(0.0F, item.param1)};
+    return trigger_change{by::distance, std::max(0.0, param1)};
   case mav_cmd::do_set_cam_trigg_interval:
   case mav_cmd::do_trigger_control:
-    return trigger_change{by::time, item.param1 > 0 ? 1.0 : 0.0};
+    return trigger_change{by::time, param1 > 0 ? 1.0 : 0.0};
   case mav_cmd::image_start_capture:
-    return item.param3 == 1 ? std::nullopt : std::optional(trigger_change{by::time, 1});
+    return param3 == 1 ? std::nullopt : std::optional(trigger_change{by::time, 1});
   case mav_cmd::image_stop_capture:
     return trigger_change{by::time, 0};
   default:

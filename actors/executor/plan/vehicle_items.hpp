@@ -58,7 +58,10 @@ struct trigger_change {
   double value = 0; // metres by distance; by time 1: on; 0: it is switched off
 };
 // Nothing: it leaves it as it is. A single picture does, too.
-[[nodiscard]] std::optional<trigger_change> trigger_change_of(const mission_item_int& item);
+[[nodiscard]] std::optional<trigger_change> trigger_change_of(std::uint16_t command, double param1, double param3);
+[[nodiscard]] inline std::optional<trigger_change> trigger_change_of(const mission_item_int& item) {
+  return trigger_change_of(item.command, item.param1, item.param3);
+}
 
 // What ends the pictures by distance or time that ITEMS have begun before SEQUENCE, and not ended. Nothing: there are
 // none.

@@ -56,7 +56,6 @@ public:
   [[nodiscard]] bool is_giving() const { return std::holds_alternative<giving>(session_); }
   // With whom a transfer is open.
   [[nodiscard]] std::optional<mavlink::sender> partner() const;
-  [[nodiscard]] bool is_busy_with(mavlink::sender station) const { return partner() == station; }
   [[nodiscard]] std::uint64_t dropped() const { return inbox_.dropped(); }
 
 private:

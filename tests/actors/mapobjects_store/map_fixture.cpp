@@ -8,6 +8,7 @@
 
 #include "actors/domain/geo/local_projection.hpp"
 #include "actors/mapobjects_store/garbage.hpp"
+#include "actors/mapobjects_store/map_file.hpp"
 #include "actors/mapobjects_store/map_load.hpp"
 #include "actors/mapobjects_store/sightings.hpp"
 
@@ -148,7 +149,11 @@ void map_test::deliver_all(const std::string& mission) {
     }
 }
 
-std::vector<owed> map_test::what_is_owed() { return map_reader::open(folder.file())->what_is_owed().value(); }
+std::vector<owed> owed_in(const std::string& file) {
+  auto db = open_map_for_reading(file);
+  sql q(*db);
+  return all_owed(q).value();
+}
 
 void map_test::collect_garbage(std::int64_t keep_delivered) {
   garbage_collection garbage(keep_delivered);

@@ -35,6 +35,9 @@ private:
   std::filesystem::path path_;
 };
 
+// Of the file that a writer may have open.
+[[nodiscard]] std::vector<mapobjects_store::owed> owed_in(const std::string& file);
+
 // Metres to the east and north of a place in Austria.
 [[nodiscard]] mapobjects_store::geo_position place(double east_m, double north_m = 0);
 
@@ -77,7 +80,7 @@ public: // also used as a value, by property tests
 
   // Ids of what is shown, in their order.
   std::vector<std::string> shown();
-  [[nodiscard]] std::vector<mapobjects_store::owed> what_is_owed();
+  [[nodiscard]] std::vector<mapobjects_store::owed> what_is_owed() { return owed_in(folder.file()); }
   std::int64_t count(const std::string& from); // rows, e.g. "observation WHERE delivery = 'taken'"
 
   scratch_folder folder;

@@ -94,7 +94,7 @@ TEST_F(map_port_test, an_answer_comes_back_from_the_writers_thread) {
   const auto answer = see();
   ASSERT_TRUE(answer.seen) << answer.error;
   EXPECT_EQ(answer.seen->what.id, uuid(10));
-  EXPECT_EQ(map_reader::open(folder.file())->what_is_owed()->at(0).pending, 1U);
+  EXPECT_EQ(owed_in(folder.file()).at(0).pending, 1U);
 }
 
 TEST_F(map_port_test, before_it_is_open_an_asker_is_told_to_come_later) { EXPECT_EQ(see().failure, map_failure::busy); }

@@ -75,8 +75,7 @@ TEST_F(map_writer_test, each_sees_what_was_decided_before_it_and_hears_when_it_i
   EXPECT_EQ(get(std::move(first))->what.kind, observation_kind::found);
   EXPECT_EQ(get(std::move(second))->what.kind, observation_kind::moved);
   EXPECT_EQ(get(std::move(third))->what.kind, observation_kind::existing);
-  auto reader = map_reader::open(folder.file());
-  EXPECT_EQ(reader->what_is_owed()->at(0).pending, 3U);
+  EXPECT_EQ(owed_in(folder.file()).at(0).pending, 3U);
 }
 
 TEST_F(map_writer_test, a_refused_one_hears_why_and_its_neighbours_do_not_notice) {

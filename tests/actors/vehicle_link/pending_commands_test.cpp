@@ -60,16 +60,14 @@ TEST(pending_commands, an_ack_of_another_component_is_not_the_answer) {
   pending_commands dedup;
   (void)dedup.take({}, command(400), timeout_ms, 0);
   EXPECT_FALSE(dedup.acknowledge(ack(400, mav_result::accepted), 154, 1));
-  EXPECT_EQ(dedup.unmatched(), 1U);
   EXPECT_EQ(dedup.in_flight(), 1U);
 }
 
-TEST(pending_commands, a_second_ack_for_one_command_is_counted_and_ignored) {
+TEST(pending_commands, a_second_ack_for_one_command_is_ignored) {
   pending_commands dedup;
   (void)dedup.take({}, command(176), timeout_ms, 0);
   EXPECT_TRUE(dedup.acknowledge(ack(176, mav_result::accepted), 1, 1));
   EXPECT_FALSE(dedup.acknowledge(ack(176, mav_result::accepted), 1, 2));
-  EXPECT_EQ(dedup.unmatched(), 1U);
 }
 
 TEST(pending_commands, no_answer_by_the_deadline_is_an_outcome_of_its_own) {

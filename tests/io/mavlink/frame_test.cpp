@@ -13,7 +13,6 @@ TEST(frame, view_reads_each_part_of_the_header) {
   const auto frame = view_of(bytes);
   ASSERT_TRUE(frame);
   EXPECT_EQ(frame->incompat(), 0);
-  EXPECT_EQ(frame->compat(), 7);
   EXPECT_EQ(frame->sequence(), 4);
   EXPECT_EQ(frame->system(), 5);
   EXPECT_EQ(frame->component(), 6);

@@ -77,7 +77,6 @@ TEST(mcap_segment_folder, the_oldest_are_deleted_before_the_bound_is_passed) {
   }
   EXPECT_EQ(segments.segments().size(), 3U);
   EXPECT_EQ(segments.segments_deleted(), 7U);
-  EXPECT_EQ(segments.bytes_deleted(), 7 * small_segment_bytes);
   EXPECT_FALSE(std::filesystem::exists(folder / "godwit-0000000001-000007.mcap"));
   EXPECT_TRUE(std::filesystem::exists(folder / "godwit-0000000001-000008.mcap"));
 }

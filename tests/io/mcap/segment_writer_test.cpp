@@ -37,7 +37,7 @@ TEST(mcap_segment_writer, what_was_flushed_is_in_the_file_at_once) {
   EXPECT_EQ(read_file(folder / "a.mcap").end, ending::truncated);
   for (std::uint32_t n = 0; n < 5; ++n) {
     ASSERT_TRUE(write_numbered(writer, channels, n));
-    EXPECT_EQ(writer.messages_pending(), 1U);
+    EXPECT_EQ(writer.messages_flushed(), n);
     ASSERT_TRUE(writer.flush());
     const reading seen = read_file(folder / "a.mcap");
     EXPECT_EQ(seen.messages.size(), n + 1);
@@ -67,7 +67,6 @@ TEST(mcap_segment_writer, a_full_chunk_is_flushed_without_being_asked) {
     ASSERT_TRUE(writer.write({channels.even, n, n, n, bytes_of(payload)}));
   }
   EXPECT_GT(writer.messages_flushed(), 0U);
-  EXPECT_LT(writer.messages_pending(), 6U);
 }
 
 TEST(mcap_segment_writer, a_refused_message_changes_nothing) {

@@ -1,5 +1,6 @@
 #include "actors/domain/mission/commands/item_class.hpp"
 
+#include <algorithm>
 #include <type_traits>
 #include <variant>
 
@@ -51,6 +52,11 @@ command_state state_of(const item& each) {
   const auto* const command = std::get_if<command_item>(&each);
   const auto* const row = command == nullptr ? nullptr : command_of(command->command);
   return row == nullptr ? command_state::none : row->state;
+}
+
+std::optional<std::size_t> index_of(std::span<const item> items, std::string_view id) {
+  const auto found = std::ranges::find_if(items, [&](const item& each) { return id_of(each) == id; });
+  return found == items.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - items.begin()));
 }
 
 bool has_place(const command_item& each) {

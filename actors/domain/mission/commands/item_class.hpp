@@ -1,7 +1,11 @@
-// What an item of a mission does, whatever its kind: one that is a command by the table of commands. Pure. Thread: any.
+// What an item of a mission does, whatever its kind (a command by the table of commands), and where it stands. Pure.
+// Thread: any.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <span>
+#include <string_view>
 
 #include "actors/domain/mission/commands/command_table.hpp"
 #include "messages/mission/item.hpp"
@@ -18,6 +22,9 @@ namespace godwit::mission {
 [[nodiscard]] bool is_landing(const item& each);
 
 [[nodiscard]] command_state state_of(const item& each);
+
+// None: no item has this id.
+[[nodiscard]] std::optional<std::size_t> index_of(std::span<const item> items, std::string_view id);
 
 // By the table.
 [[nodiscard]] bool has_place(const command_item& each);

@@ -106,10 +106,8 @@ TEST(server_changes, a_plan_of_an_earlier_life_is_put_back_as_it_was_and_without
 TEST(server_changes, the_partner_is_who_has_a_transfer) {
   dialogue with(plain_quirks());
   EXPECT_EQ(with.vehicle().partner(), std::nullopt);
-  EXPECT_FALSE(with.vehicle().is_busy_with(station));
   (void)with.tell(count_of(2));
-  EXPECT_TRUE(with.vehicle().is_busy_with(station));
-  EXPECT_FALSE(with.vehicle().is_busy_with(other_station));
+  EXPECT_EQ(with.vehicle().partner(), station);
   (void)with.tell(ack_of(mavlink::mav_mission_result::operation_cancelled));
   (void)with.tell(list_of(0), other_station);
   EXPECT_EQ(with.vehicle().partner(), other_station);

@@ -262,7 +262,7 @@ TEST(server_download, our_server_goes_on_with_the_first_station_and_refuses_the_
   EXPECT_EQ(with.tell(count_of(3), other_station), words{"254/190 ACK denied"});
   EXPECT_EQ(with.tell(count_of(0), other_station), words{"254/190 ACK denied"});
   EXPECT_EQ(with.tell(clear_of(all), other_station), words{"254/190 ACK denied type 255"});
-  EXPECT_TRUE(with.vehicle().is_busy_with(station));
+  EXPECT_EQ(with.vehicle().partner(), station);
   EXPECT_EQ(ask_for(with, 1), words{"ITEM_INT 1"});
   (void)with.tell(ack_of(mav_mission_result::accepted));
   EXPECT_EQ(with.held().items.size(), 2U);

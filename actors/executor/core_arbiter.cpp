@@ -26,7 +26,7 @@ const std::array<core::ruling, core::ruling_count> core::rulings{{
     {"keep_home", &core::keep_home, "where a return leads has to hold before the plan changes"},
     {"answer_assignment", &core::answer_assignment, "the service's word is older than a revision that follows from it"},
     {"fly_unanswered", &core::fly_unanswered,
-     "a change whose time is over becomes the revision that the next one brings"},
+     "a change whose time is over becomes the revision that the next change is based on"},
     {"deploy_arrived", &core::deploy_arrived, "in flight a new revision takes the place of what is flown"},
     {"follow_started", &core::follow_started, "somebody has started our plan: it is a flight, and not to be prepared"},
     {"take_back", &core::take_back, "a hand-back counts for what waits for it"},

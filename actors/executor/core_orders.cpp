@@ -120,7 +120,7 @@ effects core::on_outdated(const order& what, instant now) {
     return on_late(what, now);
   vehicle_link::command_outcome outcome;
   outcome.verdict = vehicle_link::command_verdict::outdated;
-  outcome.reason = "it has waited too long after the vehicle was looked at";
+  outcome.reason = "it has waited too long after the vehicle was observed";
   return on_command(what.number, outcome, now);
 }
 

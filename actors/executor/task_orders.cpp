@@ -92,7 +92,7 @@ void task_runner::on_looked(const world& w, std::uint64_t number, const vehicle_
 
 void task_runner::on_unobserved(const world& w, const std::string& why) {
   if (++step_.unobserved >= max_looks)
-    return fail_unsent(w, "the vehicle can not be looked at before it is moved: " + why);
+    return fail_unsent(w, "the vehicle can not be observed before it is moved: " + why);
   enter(stage::pausing, w.now_ns + look_again_ns);
 }
 

@@ -213,7 +213,7 @@ void task_runner::retry_or_fail(const world& w, const std::string& why, bool is_
     return was_refused ? enter(stage::pausing, w.now_ns + pause_between_ns) : enter(stage::begin);
   const auto warned = w.view.warned_since(attempts_.sent_ns);
   const auto sentence = "the vehicle was asked " + description_of(way_[at_]) + ", and did not: " + why +
-                        (warned.empty() ? "" : "; it says \"" + warned + "\"");
+                        (warned.empty() ? "" : "; it reports \"" + warned + "\"");
   if (const auto* mode = std::get_if<change_mode>(&way_[at_])) // late, it can not be told from a person's
     withdraw(w, flight::modes_obeying(w.view.owner(), mode->to));
   if (intent() == step_intent::none)

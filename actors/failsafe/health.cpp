@@ -23,7 +23,7 @@ private:
 
 void add_vehicle(const findings& all, summary& out) {
   if (!all.flight.link_up) {
-    out.add(runtime::health_colour::yellow, "the autopilot is not heard: only its own failsafes act");
+    out.add(runtime::health_colour::yellow, "no connection to the autopilot: only its own failsafes act");
     return;
   }
   if (all.what == vehicle_class::unknown)

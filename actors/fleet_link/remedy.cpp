@@ -20,11 +20,11 @@ std::string_view remedy_of(broker_failure why) {
   case broker_failure::taken_over:
     return "give each vehicle a telemetry.vehicle of its own";
   case broker_failure::refused:
-    return "look into the log of the broker";
+    return "read the log of the broker";
   case broker_failure::retain_refused:
-    return "who watches later does not hear how the vehicle is: set the broker so that it retains messages";
+    return "late subscribers do not get the state of the vehicle: let the broker retain messages";
   case broker_failure::unusable:
-    return "mend the file and its mode; it is read again with each try";
+    return "fix the file and its mode; it is read again with each try";
   }
   return {};
 }

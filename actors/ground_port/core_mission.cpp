@@ -288,7 +288,7 @@ void core::take_back(decision_context& t, const awaited_verdict& refused) {
 }
 
 void core::note_on_disk() {
-  GODWIT_ASSERT(waiting_for_disk_ > 0, "what was noted is settled once");
+  GODWIT_ASSERT(waiting_for_disk_ > 0, "what was noted is resolved once");
   if (--waiting_for_disk_ == 0)
     start_item_ = noted_start_item_;
 }

@@ -9,7 +9,7 @@ namespace godwit::mission_client {
 
 namespace {
 
-constexpr const char* kind = "asking the map store what is owed";
+constexpr const char* kind = "asking the map store for pending deliveries";
 constexpr const char* store_operation_kind_text = "telling the map store about missions";
 
 destination destination_of(store::destination to) {

@@ -46,7 +46,7 @@ effects core::on_start(instant now) {
   for (const auto& each : s_.commands) {
     if (each.answer)
       continue;
-    const command_answer answer{verdict::unknown, "godwit was restarted while it was under way; look at the status"};
+    const command_answer answer{verdict::unknown, "godwit was restarted while it was under way; check the status"};
     audit_.add(out,
                {.who = each.by,
                 .what = "a command before the restart",
@@ -247,8 +247,7 @@ effects core::on_answer(std::uint64_t number, const operators::answer& m, instan
 effects core::on_no_answer(std::uint64_t number, bool was_taken, instant now) {
   effects out;
   if (was_taken)
-    end(out, number, {verdict::unknown, "the executor gave no answer; look at the status before you send it again"},
-        now);
+    end(out, number, {verdict::unknown, "the executor gave no answer; check the status before you send it again"}, now);
   else
     end(out, number, {verdict::not_done, "the executor takes nothing now; nothing was done"}, now);
   return out;

@@ -39,7 +39,7 @@ public:
   // The one that waited before, which is not answered otherwise.
   [[nodiscard]] std::optional<resolved_look> begin(std::uint64_t request_id, bool answers_after_message,
                                                    std::int64_t now_ns) {
-    auto before = end(false, 0, "it was looked at anew");
+    auto before = end(false, 0, "another observation was begun");
     request_id_ = request_id;
     answers_after_message_ = answers_after_message;
     is_heard_ = is_accepted_ = false;

@@ -31,9 +31,8 @@ public:
 
   [[nodiscard]] bool is_bad() const { return percent_ >= bad_percent; }
   [[nodiscard]] std::string sentence() const {
-    return std::to_string(percent_) +
-           " % of the vehicle's frames are lost on their way (gaps in their numbers); look at the "
-           "radio, the cable and the speed of the line";
+    return std::to_string(percent_) + " % of the vehicle's frames are lost (gaps in their sequence numbers); check the "
+                                      "radio, the cable and the speed of the line";
   }
 
 private:

@@ -44,7 +44,7 @@ public:
     if (moves && std::max(decided->foreign_ns, decided->looked_ns) < foreign_ns_)
       return count("somebody else has acted on the vehicle");
     if (moves && now_ns - decided->looked_ns > look_counts_ns)
-      return count("the vehicle was not looked at for more than a second");
+      return count("the newest observation of the vehicle is older than a second");
     if (decided->failsafe_command < failsafe_command_ && now_ns - commanded_ns_ < failsafe_counts_ns)
       return count("the failsafe has commanded the vehicle since");
     if (decided->failsafe_command != failsafe_command_)

@@ -123,7 +123,7 @@ class reports_without_gap final : public about_reports<told_reports> {
   void look(const report& told, told_reports& known, const delivery& each) override {
     if (known.last != 0 && told.number > known.last + 1)
       find(known.run == each.run ? certainty::if_complete : certainty::across_runs, each, {known.id, each.id},
-           "report " + std::to_string(told.number) + " of mission " + told.mission + " came behind report " +
+           "report " + std::to_string(told.number) + " of mission " + told.mission + " came after report " +
                std::to_string(known.last));
     if (told.number == known.last && told.whole != known.whole && !known.whole.empty())
       find(certainty::certain, each, {known.id, each.id},
@@ -157,7 +157,7 @@ class complete_once final : public about_reports<completion> {
     if (known.at != 0 && told.number > known.at && !is_newer)
       find(certainty::certain, each, {known.id, each.id},
            "mission " + told.mission + " was complete with report " + std::to_string(known.at) + ", and report " +
-               std::to_string(told.number) + " (" + told.kind + ") came behind it");
+               std::to_string(told.number) + " (" + told.kind + ") came after it");
     if (told.kind == "complete" && (known.at == 0 || is_newer))
       known = {told.number, told.revision, each.id};
   }
@@ -178,7 +178,7 @@ class generation_never_falls final : public about_reports<newest_generation> {
     if (told.number > known.number && told.generation < known.generation)
       find(certainty::certain, each, {known.id, each.id},
            "report " + std::to_string(told.number) + " of mission " + told.mission + " is of generation " +
-               std::to_string(told.generation) + ", behind generation " + std::to_string(known.generation));
+               std::to_string(told.generation) + ", after generation " + std::to_string(known.generation));
     if (told.number > known.number)
       known = {told.generation, told.number, each.id};
   }

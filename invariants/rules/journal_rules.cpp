@@ -132,7 +132,7 @@ public:
       const auto posted = member_of(object_of(row.body), "posted");
       if (row.destination == progress && is_covered && !posted.empty() && !told_.contains(content_of(posted)))
         find(certainty::if_complete, at_time(row.created_ns), {},
-             "the outbox has report " + row.idempotency_key + ", and nobody told mission_client of it");
+             "the outbox has report " + row.idempotency_key + ", and mission_client never received it");
     }
   }
 

@@ -140,7 +140,7 @@ int vfs_delete(sqlite3_vfs*, const char* path, int sync_folder) {
 }
 
 sqlite3_vfs make_vfs() {
-  sqlite3_vfs made = *real_vfs(); // the rest of the methods takes no heed of which VFS calls it
+  sqlite3_vfs made = *real_vfs(); // the rest of the methods does not depend on which VFS calls it
   made.szOsFile = static_cast<int>(real_offset) + real_vfs()->szOsFile;
   made.pNext = nullptr;
   made.zName = fault_vfs::name;

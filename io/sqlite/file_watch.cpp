@@ -40,7 +40,7 @@ std::optional<file_trouble> file_watch::look() {
 std::optional<file_trouble> file_watch::look_at_database() {
   struct stat ours {};
   if (::fstat(descriptor_, &ours) != 0)
-    return file_trouble{false, "the file can not be looked at"};
+    return file_trouble{false, "the file can not be read"};
   if (ours.st_size < bytes_)
     return file_trouble{false, cut("the file", bytes_, ours.st_size)};
   bytes_ = ours.st_size;

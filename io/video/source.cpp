@@ -135,7 +135,7 @@ source_state source::parts::watch(pipeline& playing) {
     const bool never = newest_ns == 0;
     lock.unlock();
     fail(never ? "the camera is there and sends no picture for " + seconds(limits.open_limit) +
-                     ": look at its power, its cable and its settings"
+                     ": check its power, its cable and its settings"
                : "the camera has stopped to send pictures (none for " + seconds(limits.silence_limit) +
                      "); it is opened again");
     return source_state::failed;

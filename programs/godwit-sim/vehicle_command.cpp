@@ -94,7 +94,7 @@ tl::expected<camera_handle, std::string> open_camera(vehicle_host& host, const h
 #else
 tl::expected<bool, std::string> open_camera(vehicle_host&, const host_settings& settings) {
   if (settings.camera)
-    return tl::make_unexpected("--camera: this godwit-sim was built without eyes (GODWIT_EYES=OFF)");
+    return tl::make_unexpected("--camera: this godwit-sim was built without the detector (GODWIT_EYES=OFF)");
   return false;
 }
 #endif

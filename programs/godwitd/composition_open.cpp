@@ -106,7 +106,7 @@ void composition::open_vehicle() {
           vehicle_port_->open(wanted_.vehicle, {}, host_->actors().make_gateway("vehicle_port"), base_.vehicle);
       !opened)
     announce({"the link to the vehicle can not be opened: " + opened.error() +
-                  "\ngodwitd goes on without a vehicle; mend it and start godwitd again",
+                  "\ngodwitd goes on without a vehicle; fix it and start godwitd again",
               true},
              "vehicle_link");
 }
@@ -145,7 +145,7 @@ void composition::open_ground() {
           ground_line_->open(*wanted_.ground, {}, host_->actors().make_gateway("ground_line"), flight_.ground);
       !opened)
     announce({"the line for ground stations can not be opened: " + opened.error() +
-                  "\ngodwitd goes on without them; mend it and start godwitd again",
+                  "\ngodwitd goes on without them; fix it and start godwitd again",
               true},
              "ground_port");
 }

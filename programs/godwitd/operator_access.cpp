@@ -107,7 +107,7 @@ void operator_access::open(runtime::process& host, const operator_port::settings
   if (const auto opened = port_.open(wanted, std::move(routes), std::move(guards)); !opened) {
     const auto sentence = "the operator's port can not be opened: " + opened.error();
     host.health().post("operator_port", runtime::health_colour::yellow, sentence);
-    return say(sentence + "\ngodwitd goes on without it; mend it and start godwitd again", true);
+    return say(sentence + "\ngodwitd goes on without it; fix it and start godwitd again", true);
   }
   session_ends_ = from.session_ends;
   if (session_ends_)

@@ -312,7 +312,7 @@ checked read_camera(const json& camera, daemon_settings& to) {
     return {};
   if constexpr (!has_eyes)
     return wrong("camera",
-                 "this godwitd was built without eyes (GODWIT_EYES=OFF); leave it out, or build it with them");
+                 "this godwitd was built without the detector (GODWIT_EYES=OFF); leave it out, or build it with them");
   if (const auto known = io::video::parse_camera_uri(result.uri); !known)
     return wrong("camera", known.error());
   result.width_px = camera.at("width_px").get<std::int32_t>();

@@ -354,7 +354,7 @@ private:
     const auto index = children_.find(wanted);
     if (index >= children_.size())
       outside_.health->post("guardian", health_colour::yellow,
-                            "was told about " + wanted + ", which is no child of it");
+                            "received an event of " + wanted + ", which is no child of it");
     return index;
   }
   void tell_event(std::size_t index, child_event_kind kind, std::string reason) {

@@ -31,7 +31,7 @@ constexpr std::array px4_modes{
 
 constexpr std::array copter_modes{
     row{0, mode_kind::manual},    row{1, mode_kind::manual},     row{2, mode_kind::manual},
-    row{3, mode_kind::mission},   row{4, mode_kind::guided},     row{17, mode_kind::hold}, // BRAKE heeds no stick
+    row{3, mode_kind::mission},   row{4, mode_kind::guided},     row{17, mode_kind::hold}, // BRAKE ignores the sticks
     row{5, mode_kind::hold},      row{16, mode_kind::hold},      row{7, mode_kind::hold},
     row{6, mode_kind::returning}, row{21, mode_kind::returning}, row{27, mode_kind::returning},
     row{9, mode_kind::landing},   row{11, mode_kind::manual},    row{13, mode_kind::manual},

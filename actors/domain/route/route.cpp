@@ -63,7 +63,7 @@ std::optional<route_error> what_is_wrong(const route_request& request, std::span
       corners += each.vertices.size();
   if (corners > max_corners)
     return error(route_errc::too_many_corners, "The fences have " + std::to_string(corners) +
-                                                   " corners; a route can look at " + std::to_string(max_corners) +
+                                                   " corners; a route may have at most " + std::to_string(max_corners) +
                                                    ".");
   return std::nullopt;
 }
@@ -102,7 +102,7 @@ tl::expected<std::vector<local_point>, route_error> flat_route(const clear_space
   auto corners = corner_points(roomy);
   if (corners.size() > max_points)
     return failed(route_errc::too_many_corners, "The corners of the fences give " + std::to_string(corners.size()) +
-                                                    " places to turn at; a route can look at " +
+                                                    " turning points; a route may have at most " +
                                                     std::to_string(max_points) + ".");
   std::vector<local_point> places{start, end};
   places.insert(places.end(), corners.begin(), corners.end());

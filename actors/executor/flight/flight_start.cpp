@@ -152,10 +152,9 @@ bool flight_start::begin_by_itself(effects& out, instant now) {
   const bool waits_for_word = flight_.s.awaits_word && configured.takeoff_again == start_policy::on_command;
   const bool is_held_rover = flight_.drives() && flight_.view.is_in(mode_kind::hold); // nobody drives it
   if (is_automatic && flight_.s.awaits_person)
-    phases_.go(
-        out, trigger::start_waits,
-        "somebody has acted on the vehicle since its plan was brought to it, or the mission before was called off; a "
-        "person has to start it");
+    phases_.go(out, trigger::start_waits,
+               "somebody has acted on the vehicle since its plan was uploaded, or the mission before was called off; a "
+               "person has to start it");
   else if (is_automatic && waits_for_word)
     phases_.go(out, trigger::start_waits, why_start_waits());
   const auto commanded_ns = flight_.evidence.commanded_ns;

@@ -166,7 +166,7 @@ void last_line::on_transfer(effects& out, std::uint64_t number, const transfer::
 
 void last_line::take_read_back(effects& out, const items& theirs) {
   if (io::mavlink::first_difference(doing_->wanted, theirs, false))
-    return warn(out, "it gives back another one than was brought");
+    return warn(out, "what was read back is not what was uploaded");
   if (doing_->type == mav_mission_type::fence)
     brought_ = flight_.s.mission ? flight_.s.mission->geofences : std::vector<mission::geofence>{};
   say_brought(out);
@@ -197,9 +197,9 @@ void last_line::say_brought(effects& out) const {
   std::string result = "the " + name_of(doing_->type) + " of the mission went to the vehicle as well (" +
                        std::to_string(doing_->wanted.size()) + " items)";
   if (doing_->type == mav_mission_type::rally)
-    result += "; where it heeds them its returns lead to one of them, and not home";
+    result += "; where it uses them its returns lead to one of them, and not home";
   else if (autopilot == mav_autopilot::ardupilotmega)
-    result += "; an ArduPilot heeds it only with FENCE_ENABLE set, and godwit sets no parameters";
+    result += "; an ArduPilot enforces it only with FENCE_ENABLE set, and godwit sets no parameters";
   else if (autopilot == mav_autopilot::px4)
     result += "; GF_ACTION says what a PX4 does at it, and godwit sets no parameters";
   out.emplace_back(announce{result, doing_->type == mav_mission_type::rally});

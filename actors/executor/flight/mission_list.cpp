@@ -36,12 +36,12 @@ std::string outcome_of(const mission_record& record) {
 // What comes of a mission that waits, in the order in which it is looked at.
 std::string why_waiting(const flight_context& flight, const std::string& mission_id) {
   if (flight.has_person())
-    return "somebody else has the vehicle: it has to be handed back first";
+    return "the vehicle is under manual control: it has to be handed back first";
   const bool is_other = !flight.s.mission || flight.s.mission->mission_id != mission_id;
   if (flight.is_in_flight() && is_other)
     return "another mission is flown";
   if (flight.is_in_flight() && flight.may_change_plan())
-    return "it is brought to the vehicle when what is under way is done";
+    return "it is uploaded when the task under way is done";
   if (flight.is_in_flight())
     return "the plan is not changed now: " + flight.sentence();
   if (!flight.view.is_connected() || !flight.view.mode())

@@ -68,7 +68,7 @@ bool part_choice::begin(effects& out, start_flight& what, instant now) {
   const bool stands = flight_.drives() && !flight_.view.is_moving();
   if (flight_.view.is_armed() && !stands)
     return refuse(out, asked, start_verdict::not_ready,
-                  "this part of the plan has to be brought to the vehicle first; disarm it");
+                  "this part of the plan has to be uploaded to the vehicle first; disarm it");
   if (const auto plan = flight_.plan_in_flight(part.mission, 0, now); !plan)
     return refuse(out, asked, start_verdict::failed, plan.error());
   prepare(out, part, std::move(what), now);

@@ -70,7 +70,7 @@ constexpr named_guard in_mission_mode{"in flight, in mission mode", flies_plan};
 constexpr named_guard at_end_of_plan{"in flight, in mission mode, plan finished", flies_end_of_plan};
 
 constexpr std::string_view other_plan = "the vehicle holds a plan that is not godwit's";
-constexpr std::string_view infeasible = "the vehicle finds that the plan that was brought to it can not be flown";
+constexpr std::string_view infeasible = "the vehicle finds that the uploaded plan can not be flown";
 constexpr std::string_view plan_lost = "the autopilot started again; what it flew is lost";
 
 constexpr std::optional<phase> stays = std::nullopt;
@@ -119,7 +119,7 @@ constexpr transition pauses(trigger on, phase_set from, pause_cause why, std::st
 constexpr transition waits(trigger on, phase_set from) {
   return flies(with(row(on, from, ends_in_air, paused), cause::plan_ended,
                     "the plan is flown and ends in the air; the vehicle waits there: come_home brings it back, goto "
-                    "and assignments send it further"),
+                    "and assignments send it on"),
                flight_bit::yes);
 }
 
@@ -196,11 +196,11 @@ constexpr std::array table{
     flying_on(trigger::found_in_flight, open, no_guard, flying),
     // the end
     with(ended(trigger::flight_ended, in_the_flight, with_person, paused), cause_rule::kept,
-         "the flight ended under somebody else; nothing is brought, armed or started until an operator hands the "
+         "the flight ended under manual control; nothing is uploaded, armed or started until an operator hands the "
          "vehicle back"),
     ended(trigger::flight_ended, in_the_flight, more_plans, connected),
     with(ended(trigger::flight_ended, in_the_flight, no_guard, paused), cause::taken_over,
-         "the flight ended before its plan, and not by godwit; look at the vehicle and hand it back, then resume "
+         "the flight ended before its plan, and not by godwit; check the vehicle and hand it back, then resume "
          "prepares the rest"),
     with(ended(trigger::mission_ended, open, to_deliver, post_flight), cause_rule::kept_if_person),
     with(ended(trigger::mission_ended, open, mission_finished, done), cause_rule::kept_if_person),

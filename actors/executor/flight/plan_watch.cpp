@@ -77,7 +77,7 @@ void plan_watch::on_transfer(effects& out, std::uint64_t number, const transfer:
     if (!is_told_ && now.now_ns - plan.doubted_ns() > told_after_ns) {
       is_told_ = true;
       out.emplace_back(announce{"it can not be read whether the vehicle still flies godwit's plan: " + outcome.reason +
-                                    ". Somebody else may have brought another one; watch the vehicle.",
+                                    ". Somebody else may have uploaded another one; watch the vehicle.",
                                 true});
     }
     return;

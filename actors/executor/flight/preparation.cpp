@@ -192,7 +192,7 @@ std::string preparation::why_rest_refused() const {
   return "what is left of this mission, which was begun before, can not be flown from here, and whether it is over "
          "nobody here knows. " +
          plans_->error().message() +
-         " Nothing is sent; look at the vehicle. With a new revision, or another mission, resume prepares that";
+         " Nothing is sent; check the vehicle. With a new revision, or another mission, resume prepares that";
 }
 
 preparation::result preparation::check(effects& out, instant now) {

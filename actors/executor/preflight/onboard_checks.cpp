@@ -23,7 +23,7 @@ result check_map_objects(const facts& seen, const settings&) {
     return fail("The objects of the map are being pulled; wait." +
                 (now.map_problem.empty() ? "" : " Before: " + now.map_problem));
   case pull_state::failed:
-    return fail("The objects of the map could not be pulled, and there is no copy from before; look at the connection "
+    return fail("The objects of the map could not be pulled, and there is no earlier copy; check the connection "
                 "to the missions service. godwit pulls again by itself, and at once with `godwitd ctl pull`." +
                 (now.map_problem.empty() ? "" : " " + now.map_problem));
   case pull_state::not_started:
@@ -37,7 +37,7 @@ result check_journal(const facts& seen, const settings&) {
     return fail(
         "The journal did not pass its integrity check; move the file away and start again, or take a new disk.");
   if (!seen.journal.is_writable)
-    return fail("The journal can not be written; look at the disk: whether it is full, broken or read-only.");
+    return fail("The journal can not be written; check whether the disk is full, broken or read-only.");
   if (seen.journal.is_nearly_full)
     return fail(
         "The journal's disk is too slow: what waits to be written is near its bound; wait, or take another disk.");
@@ -61,7 +61,7 @@ std::string sentence_of(std::int64_t limit_mib) {
 
 result check_free_space(const facts& seen, const settings& set) {
   if (!seen.journal.free_bytes)
-    return degraded("It is not known how much is free on the disk of the journal; look at it yourself.");
+    return degraded("It is not known how much is free on the disk of the journal; check it yourself.");
   if (is_below(*seen.journal.free_bytes, set.journal_min_free_mib))
     return fail(sentence_of(set.journal_min_free_mib));
   if (is_below(*seen.journal.free_bytes, set.journal_low_free_mib))
@@ -115,11 +115,11 @@ result check_camera(const facts& seen, const settings&) {
     return pass("The camera is ready.");
   case camera_state::not_ready:
     return degraded("The camera gives no picture" + (seen.camera.problem.empty() ? "" : ": " + seen.camera.problem) +
-                    "; look at its cable and power, or fly without pictures.");
+                    "; check its cable and power, or fly without pictures.");
   case camera_state::unknown:
     break;
   }
-  return fail("Nothing was heard of the camera yet; wait, or switch it off in the configuration.");
+  return fail("The camera has not reported yet; wait, or switch it off in the configuration.");
 }
 
 } // namespace godwit::executor::preflight

@@ -94,7 +94,7 @@ result check_fences(const facts& seen, const settings&) {
 result check_return_point(const facts& seen, const settings&) {
   const auto& now = seen.mission;
   if (now.document == nullptr)
-    return skipped("There is no mission whose return point could be looked at.");
+    return skipped("There is no mission whose return point could be checked.");
   if (!now.document->return_point)
     return skipped("The mission has no return point of its own.");
   if (now.document->geofences.empty())
@@ -131,7 +131,7 @@ std::string crossing_sentence(const std::vector<plan::return_crossing>& all, con
 result check_straight_return(const facts& seen, const settings& set) {
   const auto& now = seen.mission;
   if (now.document == nullptr || now.plans == nullptr || !*now.plans)
-    return skipped("There is no way from which a return could be looked at.");
+    return skipped("There is no path from which a return could be checked.");
   if (now.document->geofences.empty())
     return skipped("The mission has no fences.");
   if (!now.straight_return)

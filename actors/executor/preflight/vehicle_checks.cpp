@@ -45,13 +45,13 @@ result check_vehicle_link(const facts& seen, const settings&) {
     return pass("The vehicle is heard.");
   case connection_phase::silent:
     return fail("No autopilot is heard on the link" + heard_instead_of_it(seen.vehicle.link_reason) +
-                "; switch the vehicle on, and look at the speed of the line.");
+                "; switch the vehicle on, and check the baud rate of the line.");
   case connection_phase::lost:
-    return fail("The vehicle is not heard any more; look at its power and its cable or radio.");
+    return fail("The vehicle is not heard any more; check its power and its cable or radio.");
   case connection_phase::down:
     break;
   }
-  return fail("The link to the vehicle is not open; look at the device or address that it is set to.");
+  return fail("The link to the vehicle is not open; check the configured device or address.");
 }
 
 namespace {
@@ -62,7 +62,7 @@ constexpr std::string_view beginning = "The line to vehicle ";
 
 result check_open_line(const facts& seen, const settings& set) {
   if (!is_vehicle_heard(seen))
-    return skipped("The vehicle is not heard: nobody has looked who could speak on its line.");
+    return skipped("The vehicle is not heard: whether others can send on its line was not checked.");
   if (set.open_line.empty())
     return pass("The line to the vehicle has a key, or does not leave it.");
   const auto system = seen.vehicle.line.vehicle ? seen.vehicle.line.vehicle->system : std::uint8_t{0};
@@ -86,8 +86,7 @@ result check_vehicle_kind(const facts& seen, const settings&) {
   if (!is_vehicle_heard(seen))
     return skipped("The vehicle is not heard: what it is, is not known.");
   if (seen.vehicle.what == flight::vehicle_class::unknown)
-    return fail(
-        "The vehicle is no multirotor, fixed wing or rover; look at the frame type that is set in its autopilot.");
+    return fail("The vehicle is no multirotor, fixed wing or rover; check the frame type in its autopilot.");
   if (!is_known(seen.vehicle.autopilot))
     return fail("The vehicle's autopilot is none that is known (number " +
                 std::to_string(static_cast<int>(seen.vehicle.autopilot)) + "); PX4 and ArduPilot are.");
@@ -146,9 +145,9 @@ result check_on_ground(const facts& seen, const settings&) {
     return skipped("The vehicle is not heard: whether it stands is not known.");
   if (seen.vehicle.stands_ready_to_move)
     return fail("The vehicle stands armed in a mode in which it goes off by itself, and godwit has not started it: "
-                "disarm it, or put it into its hold mode. Nothing is brought to it before.");
+                "disarm it, or put it into its hold mode. Nothing is uploaded before.");
   if (seen.vehicle.is_moving)
-    return fail("The vehicle is under way, and godwit has not started it; nothing is brought to it before it stands.");
+    return fail("The vehicle is under way, and godwit has not started it; nothing is uploaded before it stands.");
   return pass("The vehicle stands.");
 }
 
@@ -156,11 +155,11 @@ result check_battery(const facts& seen, const settings& set) {
   if (!is_vehicle_heard(seen))
     return skipped("The vehicle is not heard: what is left in its battery is not known.");
   if (!seen.vehicle.battery_percent)
-    return fail("Nothing was heard of the battery yet; wait until the vehicle reports its state.");
+    return fail("The vehicle has not reported its battery yet; wait for it.");
   const auto percent = *seen.vehicle.battery_percent;
   if (percent < 0 || percent > 100)
     return degraded("The vehicle does not know what is left in its battery, and so no failsafe will act on it; "
-                    "look at the settings of its power monitor, or fly only as long as is certain.");
+                    "check the settings of its power monitor, or fly only as long as is certain.");
   const auto needed = set.battery_return_percent + set.battery_margin_percent;
   if (percent <= needed)
     return fail("The battery is at " + std::to_string(percent) + " %, and more than " + std::to_string(needed) +
@@ -207,11 +206,11 @@ result check_autopilot_checks(const facts& seen, const settings&) {
   case own_checks::failing:
     return failing(seen);
   case own_checks::not_told:
-    return degraded("The autopilot does not report whether its own checks pass; look at its messages.");
+    return degraded("The autopilot does not report whether its own checks pass; read its messages.");
   case own_checks::unknown:
     break;
   }
-  return fail("Nothing was heard of the autopilot's own checks yet; wait until the vehicle reports its state.");
+  return fail("The autopilot has not reported its own checks yet; wait for it.");
 }
 
 own_checks own_checks_of(const io::mavlink::sys_status& told, io::mavlink::mav_autopilot autopilot) {
@@ -247,11 +246,11 @@ result check_vehicle_ready(const facts& seen, const settings&) {
                 "it is." +
                 in_its_words(seen));
   case estimate::not_told:
-    return skipped("The vehicle does not report whether its position estimate is ready; look at its messages.");
+    return skipped("The vehicle does not report whether its position estimate is ready; read its messages.");
   case estimate::unknown:
     break;
   }
-  return fail("Nothing was heard of the vehicle's position estimate yet; wait until it is reported.");
+  return fail("The vehicle has not reported its position estimate yet; wait for it.");
 }
 
 estimate estimate_of(std::uint16_t flags) {

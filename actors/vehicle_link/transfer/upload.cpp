@@ -199,7 +199,7 @@ void upload::on_ack_sending(step& out, const mavlink::mission_ack& m, std::int64
     on_error_sending(out, now_ns);
     return;
   case mav_mission_result::operation_cancelled:
-    restart_or(out, failed(verdict::timed_out, "the vehicle gave the transfer up, because it heard too little of it"),
+    restart_or(out, failed(verdict::timed_out, "the vehicle cancelled the transfer, because too little of it arrived"),
                now_ns);
     return;
   default:

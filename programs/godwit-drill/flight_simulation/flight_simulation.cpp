@@ -145,7 +145,7 @@ void flight_simulation::run_until_idle() {
     run_process();
   while (exchange() || person_.answer());
   if (person_.take_brought_plan()) {
-    note("a person has brought another plan");
+    note("a person has uploaded another plan");
     audit_.on_foreign_plan(now_ns_);
   }
   watch_process();
@@ -331,7 +331,7 @@ void flight_simulation::say(operators::command_kind what) {
 }
 
 void flight_simulation::say(operators::command what) {
-  note("the operator says " + std::string(io::name_of(what.kind)));
+  note("operator command: " + std::string(io::name_of(what.kind)));
   const bool releases = what.kind == operators::command_kind::hand_back ||
                         what.kind == operators::command_kind::start || what.kind == operators::command_kind::resume;
   if (releases)

@@ -219,7 +219,7 @@ void people_audit::judge_order(moving_order order, const mavlink::frame_view& fr
   const bool flies_plan = order == moving_order::start || order == moving_order::mission_mode;
   if (flies_plan && foreign_since_ns_ && now_ns > *foreign_since_ns_ + proof_lasts_ns) {
     find("foreign: " + std::string(words_of(order)) + " was sent " + seconds(now_ns - *foreign_since_ns_) +
-             " after somebody else had brought another plan",
+             " after somebody else had uploaded another plan",
          now_ns);
     foreign_since_ns_ = now_ns; // one finding for each
   }
@@ -362,7 +362,7 @@ void people_audit::judge_wanted(const wanted_state& each) {
   if (each.is_done || (each.needs_answer && !each.is_answered))
     return;
   if (each.needs_answer)
-    find("answer: a station was told ACCEPTED for command " + std::to_string(each.command) +
+    find("answer: a station received ACCEPTED for command " + std::to_string(each.command) +
              ", and the vehicle was not " + each.words + " within " + seconds(done_within_ns),
          each.since_ns);
   else

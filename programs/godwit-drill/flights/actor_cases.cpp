@@ -114,7 +114,7 @@ std::string give_up(watched_flight& watched, const std::string& actor) {
       flight.process() != nullptr && flight.process()->look_at(actor).phase == runtime::child_phase::given_up;
   if (!is_gone || flight.status().in_flight)
     return {};
-  watched.expect(flight.was_told(actor) ? "" : "nobody was told that " + actor + " is given up");
+  watched.expect(flight.was_told(actor) ? "" : "nobody was notified that " + actor + " is given up");
   flight.kill_process();
   return {};
 }

@@ -140,7 +140,7 @@ private:
 std::string sentence_of(int status) {
   if (WIFSIGNALED(status))
     return "its process was ended by signal " + std::to_string(WTERMSIG(status)) +
-           "; what it said stands above this table";
+           "; its output stands above this table";
   return "its process ended by itself with " + std::to_string(WEXITSTATUS(status));
 }
 

@@ -230,7 +230,7 @@ private:
     case act::mode:
       return flight_.switch_mode(any_mode(random), one_of(all_mode_forms, random));
     case act::upload:
-      flight_.note("a person brings another plan");
+      flight_.note("a person uploads another plan");
       return person.upload(foreign_plan());
     case act::choose_item: {
       const auto count = static_cast<std::uint64_t>(std::max(flight_.vehicle().describe().mission_count, 1));

@@ -108,7 +108,7 @@ namespace {
 
 constexpr std::array all_known{
     known_finding{"replaced_and_killed/commit_25", "there are two different reports 1 of mission"},
-    known_finding{"replaced_and_killed/commit_25", "is of generation 1, behind generation 2"},
+    known_finding{"replaced_and_killed/commit_25", "is of generation 1, after generation 2"},
 };
 
 } // namespace

@@ -108,8 +108,8 @@ cv::Mat drawn(const frame_view& frame, const verdict& seen, const trails& ways, 
              figures.residual_px, figures.corner_shift_px),
         {6, 2 * line}, blue, size);
   write(on,
-        text("said %zu of %d tracks; %.2f %% of the picture differs; brightness %.0f; %.1f ms", seen.confirmed.size(),
-             figures.tracks, figures.changed_share * 100, figures.brightness,
+        text("reported %zu of %d tracks; %.2f %% of the picture differs; brightness %.0f; %.1f ms",
+             seen.confirmed.size(), figures.tracks, figures.changed_share * 100, figures.brightness,
              static_cast<double>(figures.microseconds) * 1e-3),
         {6, 3 * line}, white, size);
   return on;

@@ -51,7 +51,7 @@ std::string track_lines(const look_summary& seen) {
                    its.size_px, its.speed_px_s, its.confidence);
   }
   if (rows.size() > most_rows)
-    result += line("  and %zu that were said for a shorter time", rows.size() - most_rows);
+    result += line("  and %zu that were reported for a shorter time", rows.size() - most_rows);
   return result;
 }
 

@@ -36,7 +36,7 @@ std::optional<std::int64_t> read_number(std::string_view text) {
 
 tl::unexpected<std::string> wrong(const std::string& what) {
   return tl::make_unexpected(what + "; a camera is served at rtsp://127.0.0.1:8554/camera, with ?width=, height, fps, "
-                                    "focal, seed, movers, north, east and spread behind it");
+                                    "focal, seed, movers, north, east and spread after it");
 }
 
 tl::expected<void, std::string> read_numbers(std::string_view query, camera_place& to) {

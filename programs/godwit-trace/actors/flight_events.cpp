@@ -104,7 +104,7 @@ const flight_events::row flight_events::rows[] = {
      [](const json& m, const delivery&, const name_table&) -> std::optional<saying> {
        const auto by = text(m, "by");
        return saying{flight_matter::control,
-                     "an operator says " + text(m, "verb") + (by.empty() ? "" : " (" + by + ")"), false};
+                     "operator command: " + text(m, "verb") + (by.empty() ? "" : " (" + by + ")"), false};
      },
      how_often::always},
     {"executor.start_mission", nullptr,
@@ -198,7 +198,7 @@ const flight_events::row flight_events::rows[] = {
        return saying{flight_matter::plan,
                      "replan to revision " + text(assigned, "revision") + ": " +
                          std::to_string(member(assigned, "items").size()) + " items " +
-                         (after.empty() ? "instead of all" : "behind " + after),
+                         (after.empty() ? "instead of all" : "after " + after),
                      false};
      },
      how_often::always},

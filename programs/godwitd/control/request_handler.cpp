@@ -16,7 +16,7 @@ json no_points(const ask_error& why) {
   const bool does_not_run = why.code == runtime::ask_errc::not_taken;
   return {{"ok", false},
           {"error", does_not_run
-                        ? "nobody looks for points of interest now: no mission with scanning is flown"
+                        ? "points of interest are not scanned for now: no mission with scanning is flown"
                         : "there is no answer: " + why.what + "; ask for the points before you send it again"}};
 }
 

@@ -125,7 +125,7 @@ tl::expected<control_request, std::string> read_control(const json& document) {
   result.act = *act;
   result.to = text_of(document, "to");
   if (!operator_bridge::names_whom_it_needs(*act, result.to))
-    return tl::make_unexpected(std::string(result.to.empty() ? "hand_over says to whom, such as \"to\": \"bob\""
+    return tl::make_unexpected(std::string(result.to.empty() ? "hand_over needs a receiver, such as \"to\": \"bob\""
                                                              : "only hand_over has a receiver"));
   return result;
 }

@@ -30,7 +30,7 @@ const char* what_to_do(refusal why) {
   case refusal::deleted:
     return "Start godwitd with another mission.";
   case refusal::invalid:
-    return "Whoever made the mission has to mend it.";
+    return "Whoever made the mission has to fix it.";
   case refusal::misconfigured:
     break;
   }

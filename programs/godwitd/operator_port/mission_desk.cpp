@@ -34,7 +34,7 @@ void mission_desk::take(const upload_ptr& asked) {
               if (!who.is_known)
                 return refuse(*asked, {}, verdict::no_session, "log in first: there is no session, or it is over");
               if (who.who.role == operators::role::viewer)
-                return refuse(*asked, who.who, verdict::wrong_role, "a viewer looks, and brings no mission");
+                return refuse(*asked, who.who, verdict::wrong_role, "a viewer may not upload a mission");
               if (!why_not_.empty())
                 return refuse(*asked, who.who, verdict::refused, why_not_);
               look_at_control(asked, who.who);

@@ -219,9 +219,9 @@ void operator_desk::decide_point(const api_request& asked, const principal& who)
         },
         [end](const runtime::ask_error& why) {
           if (why.code == runtime::ask_errc::not_taken)
-            end({verdict::not_done, "nobody looks for points of interest now: no mission with scanning is flown"});
+            end({verdict::not_done, "points of interest are not scanned for now: no mission with scanning is flown"});
           else
-            end({verdict::unknown, "there is no answer; look at the points before you send it again"});
+            end({verdict::unknown, "there is no answer; check the points before you send it again"});
         });
   });
 }
@@ -245,7 +245,7 @@ void operator_desk::override_rule(const api_request& asked, const principal& who
           end({answer.taken ? verdict::taken : verdict::refused, answer.reason});
         },
         [end](const runtime::ask_error&) {
-          end({verdict::unknown, "the failsafe does not answer; look at the status before you send it again"});
+          end({verdict::unknown, "the failsafe does not answer; check the status before you send it again"});
         });
   });
 }

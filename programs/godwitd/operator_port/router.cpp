@@ -77,7 +77,7 @@ void router::let_in(const route& to, server_request asked, responder answer) {
     return to.handle(std::move(asked), std::move(answer));
   if (!gate_) {
     ++counts_.not_let_in;
-    return answer.send(problem_response(401, "From another computer nothing can be looked at here."));
+    return answer.send(problem_response(401, "Nothing is shown to another computer here."));
   }
   auto shared = std::make_shared<server_request>(std::move(asked));
   gate_(*shared, std::move(answer), [&to, shared](responder then) { to.handle(std::move(*shared), std::move(then)); });

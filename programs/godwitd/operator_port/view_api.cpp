@@ -41,7 +41,7 @@ void view_api::say_health(responder answer) const {
   const auto [at_ns, status] = parts_.reports->newest_health();
   if (at_ns == 0 || parts_.time->monotonic_ns() - at_ns > std::chrono::nanoseconds(health_counts).count())
     return answer.send(io::http::problem_response(
-        503, "Nobody has looked at the health of the program of late: the actor health does not run."));
+        503, "The health of the program was not checked of late: the actor health does not run."));
   answer.send({.status = status.worst == health::colour::red ? 503U : 200U, .body = health::json_of(status)});
 }
 

@@ -104,7 +104,7 @@ void view_desk::show_objects(const view_request& asked) {
         if (seen.failure == mapobjects_store::map_failure::none)
           answers_->resolve(ticket, {.body = io::to_json(described(seen))});
         else
-          answers_->resolve(ticket, problem(503, "the map can not be looked at: " + seen.error));
+          answers_->resolve(ticket, problem(503, "the map can not be read: " + seen.error));
       },
       [this, ticket = asked.ticket](const runtime::ask_error& why) {
         const bool was_not_taken = why.code == runtime::ask_errc::not_taken;

@@ -90,7 +90,7 @@ void waiting_answers::give_up_overdue() {
         overdue.push_back(ticket);
   }
   for (const auto ticket : overdue)
-    resolve(ticket, problem_response(504, "nobody has answered in time; look at the status before you send it again"));
+    resolve(ticket, problem_response(504, "no answer came in time; check the status before you send it again"));
 }
 
 } // namespace godwit::operator_port

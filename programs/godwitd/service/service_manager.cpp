@@ -46,7 +46,7 @@ tl::expected<service_manager, std::string> service_manager::at(const std::string
   if ((!is_abstract && !socket.starts_with('/')) || socket.size() < 2 || socket.size() >= sizeof(sockaddr_un::sun_path))
     return tl::make_unexpected("NOTIFY_SOCKET is \"" + socket + "\", which is no path and no name with @ of up to " +
                                std::to_string(sizeof(sockaddr_un::sun_path) - 1) +
-                               " bytes; the service manager hears nothing");
+                               " bytes; the service manager is not notified");
   result.address_.sun_family = AF_UNIX;
   std::memcpy(&result.address_.sun_path[0], socket.data(), socket.size());
   if (is_abstract)

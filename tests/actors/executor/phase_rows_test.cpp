@@ -192,8 +192,8 @@ std::vector<way> at_the_end() {
   constexpr circumstances with_person_complete{
       .in_flight = true, .cause = taken_over, .is_finished = true, .ends_mission = true};
   return {
-      {flight_ended, flight, with_person, paused, taken_over, no, "under somebody else"},
-      {flight_ended, flight, with_person_at_end, paused, failsafe, no, "under somebody else"},
+      {flight_ended, flight, with_person, paused, taken_over, no, "under manual control"},
+      {flight_ended, flight, with_person_at_end, paused, failsafe, no, "under manual control"},
       {flight_ended, flight, flown_to_end, connected, none, no},
       {flight_ended, flight, flown, paused, taken_over, no, "not by godwit"},
       {mission_ended, open, complete, post_flight, none, no},

@@ -36,7 +36,7 @@ TEST(health, a_position_that_is_too_old_is_yellow) {
 TEST(health, an_autopilot_that_is_not_heard_leaves_it_to_its_own_failsafes_and_says_so) {
   auto all = all_well();
   all.flight = {};
-  EXPECT_EQ(judge_health(all).reason, "the autopilot is not heard: only its own failsafes act");
+  EXPECT_EQ(judge_health(all).reason, "no connection to the autopilot: only its own failsafes act");
 }
 
 TEST(health, what_keeps_failsafes_from_acting_is_said) {

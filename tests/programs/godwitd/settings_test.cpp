@@ -239,7 +239,7 @@ TEST(daemon_settings, a_camera_with_parameters_that_are_missing_or_impossible_is
   configuration["camera"]["uri"] = "/dev/video0";
   EXPECT_TRUE(settings_from(configuration).error().starts_with("--camera (")) << settings_from(configuration).error();
 #else
-  EXPECT_NE(settings_from(configuration).error().find("was built without eyes"), std::string::npos);
+  EXPECT_NE(settings_from(configuration).error().find("was built without the detector"), std::string::npos);
 #endif
 }
 

@@ -59,7 +59,7 @@ TEST(status_text, each_mission_is_a_line_with_its_place_and_the_reason_for_it) {
                          {"place", "waiting"},
                          {"items", 10},
                          {"items_done", nullptr},
-                         {"reason", "it is brought to the vehicle when what is under way is done"}},
+                         {"reason", "it is uploaded when the task under way is done"}},
                         {{"mission_id", ""},
                          {"revision", nullptr},
                          {"origin", "station"},
@@ -70,12 +70,11 @@ TEST(status_text, each_mission_is_a_line_with_its_place_and_the_reason_for_it) {
                          {"origin", "unknown"},
                          {"place", "ended"},
                          {"outcome", "complete"}}}}}}};
-  EXPECT_EQ(status_text(answer),
-            "missions   7d1c revision 2 (service): in_flight, 3 of 9 items\n"
-            "           7d1c revision 3 (service): waiting, 10 items (it is brought to the vehicle "
-            "when what is under way is done)\n"
-            "           a mission (station): refused (DO_JUMP)\n"
-            "           0d2f revision 1: ended, complete");
+  EXPECT_EQ(status_text(answer), "missions   7d1c revision 2 (service): in_flight, 3 of 9 items\n"
+                                 "           7d1c revision 3 (service): waiting, 10 items (it is uploaded "
+                                 "when the task under way is done)\n"
+                                 "           a mission (station): refused (DO_JUMP)\n"
+                                 "           0d2f revision 1: ended, complete");
 }
 
 TEST(status_text, each_actor_is_a_line_with_what_the_guardian_knows_of_it) {

@@ -27,7 +27,7 @@ int repeats_of(const mission_item_int& jump) {
 bool is_nav(const mission_item_int& item) { return item.command <= last_nav_command && item.command != nav_roi; }
 
 void mission_run::take(std::vector<mission_item_int> items, int first_flown) {
-  GODWIT_ASSERT(first_flown == 0 || first_flown == 1, "a plan begins at item 0, or at item 1 behind home");
+  GODWIT_ASSERT(first_flown == 0 || first_flown == 1, "a plan begins at item 0, or at item 1 after home");
   items_ = std::move(items);
   first_flown_ = first_flown;
   last_ = -1;

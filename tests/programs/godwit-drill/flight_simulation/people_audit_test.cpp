@@ -329,7 +329,7 @@ TEST(people_audit, finds_an_acknowledgement_of_what_the_vehicle_does_not_do) {
   world.wait(10 * ms);
   world.station_is_answered(mav_cmd::do_set_mode, mavlink::mav_result::accepted);
   world.wait(3 * s);
-  EXPECT_EQ(world.found("answer: a station was told ACCEPTED for command 176"), 1U);
+  EXPECT_EQ(world.found("answer: a station received ACCEPTED for command 176"), 1U);
 }
 
 TEST(people_audit, an_acknowledgement_is_true_when_the_vehicle_has_done_it_in_time_or_nothing_was_promised) {

@@ -129,7 +129,7 @@ TEST_F(trace_commands, flight_tells_what_people_ask_for_and_nothing_twice) {
     sentences.push_back(each["sentence"]);
   EXPECT_EQ(sentences,
             (std::vector<std::string>{
-                "godwitd begins (run 1)", "the vehicle is in hold, disarmed", "an operator says start (ann)",
+                "godwitd begins (run 1)", "the vehicle is in hold, disarmed", "operator command: start (ann)",
                 "executor commands component_arm_disarm (1, 0)", "component_arm_disarm of executor: accepted",
                 "the vehicle is in mission, armed", "report 1: started a", "replan to revision 2: 3 items behind a",
                 "executor, incarnation 1: crashed: no such item", "replan to revision 2: 3 items behind a",

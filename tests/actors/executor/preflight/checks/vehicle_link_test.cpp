@@ -21,10 +21,9 @@ TEST(vehicle_link_check, passes_when_the_vehicle_is_heard) {
   EXPECT_EQ(with(connection_phase::connected).how, verdict::pass);
 }
 
-TEST(vehicle_link_check, fails_in_every_other_phase_and_says_what_to_look_at) {
+TEST(vehicle_link_check, fails_in_every_other_phase_and_names_what_to_check) {
   EXPECT_EQ(with(connection_phase::down),
-            fail("The link to the vehicle is not open; look at the device or address that "
-                 "it is set to."));
+            fail("The link to the vehicle is not open; check the configured device or address."));
   EXPECT_EQ(with(connection_phase::silent).how, verdict::fail);
   EXPECT_EQ(with(connection_phase::lost).how, verdict::fail);
   EXPECT_NE(with(connection_phase::silent), with(connection_phase::lost));
@@ -65,7 +64,7 @@ TEST(vehicle_link_check, names_what_is_heard_in_place_of_a_vehicle) {
       "no heartbeat of an autopilot yet; heard and not accepted: ground station 255/190 (12 heartbeats)";
   EXPECT_EQ(check_vehicle_link(seen, {}),
             fail("No autopilot is heard on the link; heard and not accepted: ground station 255/190 (12 heartbeats); "
-                 "switch the vehicle on, and look at the speed of the line."));
+                 "switch the vehicle on, and check the baud rate of the line."));
 }
 
 } // namespace vehicle_link_test

@@ -32,7 +32,7 @@ public:
 
   // In the order of time within a run, runs in their order.
   void take(const runtime::delivery& each, const runtime::name_table& names);
-  // Behind the last delivery, and read behind it: what the journal beside the record has.
+  // After the last delivery, and read after it: what the journal beside the record has.
   void take_journal(const journal_record& journal);
   // Records of this run are missing between others that are there.
   void note_hole(std::uint64_t run) { holes_.insert(run); }

@@ -61,7 +61,7 @@ public:
   // In the order of time within a run, runs in their order.
   virtual void take(const runtime::delivery& each, const runtime::name_table& names) = 0;
 
-  // Behind the last delivery, for what is promised of the journal.
+  // After the last delivery, for what is promised of the journal.
   virtual void take_journal(const journal_record& journal) { (void)journal; }
 
   [[nodiscard]] const std::vector<finding>& findings() const { return findings_; }

@@ -38,7 +38,7 @@ namespace godwit::io {
 // What the runtime knows of a message type: its name, and how to turn a value into bytes and JSON and back.
 //
 // There is one constant object for each type, and its address is the type's identity: a mailbox looks its handlers up
-// by it. The functions behind it are instantiated from the field table in one source file, the types.cpp beside the
+// by it. The functions after it are instantiated from the field table in one source file, the types.cpp beside the
 // message's types.hpp (define_message.hpp); everybody else only names type_of<T>(), so that touching or sending a
 // message compiles no JSON. Of a type that has the same name in another shared object the address differs: its
 // messages are refused as unknown, because nothing says that the layout is the same. Thread: constant.

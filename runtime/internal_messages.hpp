@@ -37,7 +37,7 @@ struct write_failed {
 };
 
 // What a durable actor was restored from when its incarnation began: for the trace alone, recorded before its first
-// message. TEXT of all parts behind each other is the JSON of runtime::recovered with the later events applied
+// message. TEXT of all parts after each other is the JSON of runtime::recovered with the later events applied
 // (stored_state.hpp). PARTS is 0 where it was too large.
 struct restored {
   std::uint32_t part = 0; // from 0 on

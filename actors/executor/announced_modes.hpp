@@ -1,6 +1,6 @@
-// What the failsafe is told beforehand: the modes in which a vehicle may be seen behind what follows a guard step.
+// What the failsafe is told beforehand: the modes in which a vehicle may be seen after what follows a guard step.
 //
-// It answers when what it was told is on the disk. So a process that is killed right behind the mode leaves one that
+// It answers when what it was told is on the disk. So a process that is killed right after the mode leaves one that
 // knows whose it was, and takes nobody for a pilot who is none. Thread: pure.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace godwit::executor {
 
-// By the first step of WAY behind AT that changes the mode of a vehicle which is under way: it goes on, or holds for
+// By the first step of WAY after AT that changes the mode of a vehicle which is under way: it goes on, or holds for
 // another plan. Empty: none does. A start is not among them: the failsafe knows whose a take-off in the mission mode
 // is.
 [[nodiscard]] std::vector<std::uint32_t> announced_modes(task_kind kind, const steps& way, std::size_t at,

@@ -15,7 +15,7 @@
 // Rules that protect people, each with a test of its own name: a new incarnation looks at the vehicle before anything;
 // it arms, starts and takes off nothing; on the ground it waits for a person. A mode change in flight or during a start
 // that no command of ours has caused is a person's or the autopilot's failsafe's: from then on nothing is sent until an
-// operator hands back, also behind a landing, and neither while a failsafe acts. The one exception is stand_by, which
+// operator hands back, also after a landing, and neither while a failsafe acts. The one exception is stand_by, which
 // makes a disarmed vehicle safe to arm. A command that holds or returns gives up what is under way. What a step can not
 // get done in a few tries ends in a pause with a reason; a hold or a return that is not obeyed leaves the phase as it
 // is.
@@ -148,7 +148,7 @@ public:
   [[nodiscard]] effects on_station(const plan_cleared& m, instant now);
   // As a start in flight: what it is answered with comes as a start_answer with KEY, or at once.
   [[nodiscard]] effects on_station(const set_current& m, std::uint64_t key, instant now);
-  // What a person does through a station; the answer is given behind the effects.
+  // What a person does through a station; the answer is given after the effects.
   [[nodiscard]] std::pair<effects, act_answer> on_station(const station_act& m, instant now);
   [[nodiscard]] effects on_station(const act_acknowledged& m, instant now);
   // What stations are to be told, when it has changed and once a second; to be asked after everything else.

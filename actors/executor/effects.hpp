@@ -20,7 +20,7 @@ struct note {
   durable_core::event what;
 };
 
-// When something goes out: behind all that was noted so far, or at once. Only what stops the vehicle, brings it home or
+// When something goes out: after all that was noted so far, or at once. Only what stops the vehicle, brings it home or
 // concerns who has it is sent while the disk does not write.
 enum class goes { after_notes, at_once };
 

@@ -22,7 +22,7 @@ namespace godwit::executor {
 // The items that are done or skipped end with this one: its id. None: nothing is done.
 [[nodiscard]] std::optional<std::string> last_done(const state& s);
 
-// The first item of MISSION that is not done: the one behind last_done, or the first one. Its size: all are done.
+// The first item of MISSION that is not done: the one after last_done, or the first one. Its size: all are done.
 [[nodiscard]] std::size_t first_remaining(const mission::document& mission,
                                           const std::optional<std::string>& last_done);
 
@@ -31,7 +31,7 @@ namespace godwit::executor {
                                        const std::optional<std::string>& last_done);
 
 // So many lines of the item at INDEX are flown, if it is a survey that the plan on the vehicle has, too, and lays the
-// same way: behind the same items; or that it was sent away from. Else 0. The line that was begun is not flown.
+// same way: after the same items; or that it was sent away from. Else 0. The line that was begun is not flown.
 [[nodiscard]] std::uint32_t lines_flown(const state& s, const mission::document& mission, std::size_t index);
 
 // The survey in whose middle the plan on the vehicle is, or that an earlier plan was sent away from.

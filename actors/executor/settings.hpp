@@ -35,7 +35,7 @@ constexpr auto enum_names(failsafe_gone_policy) {
       {{failsafe_gone_policy::come_home, "return"}, {failsafe_gone_policy::go_on, "continue"}});
 }
 
-// What follows when the service has deleted a mission that was begun: it is flown to its end, also behind a landing on
+// What follows when the service has deleted a mission that was begun: it is flown to its end, also after a landing on
 // the way, or the vehicle comes home in flight and stays on the ground. In both cases people are told then, and when
 // the vehicle is down.
 enum class deletion_policy { go_on, come_home };
@@ -56,7 +56,7 @@ struct settings {
   std::string vehicle_id; // as the service calls the vehicle, whose next mission it is asked for
   start_policy start = start_policy::on_command;
   bool arm_on_start = false; // else a person arms
-  // Behind a landing on the way, and whenever else this mission has flown before.
+  // After a landing on the way, and whenever else this mission has flown before.
   start_policy takeoff_again = start_policy::on_command;
   refusal_policy refused_inserts = refusal_policy::go_on;
   bool changes_need_service = false;    // a go-to, insert or cancel waits for its answer

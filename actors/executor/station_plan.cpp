@@ -114,8 +114,8 @@ std::optional<std::uint16_t> vehicle_sequence_of(const state& s, std::uint16_t i
   const auto& map = s.progress.plan->map;
   if (!shows_upload(s)) {
     const auto sequence = static_cast<std::uint32_t>(index) + (with_home ? 0U : map.first_sequence);
-    const auto behind_home = std::max<std::uint32_t>(sequence, map.first_sequence);
-    return behind_home < end_sequence(map) ? std::optional(static_cast<std::uint16_t>(behind_home)) : std::nullopt;
+    const auto after_home = std::max<std::uint32_t>(sequence, map.first_sequence);
+    return after_home < end_sequence(map) ? std::optional(static_cast<std::uint16_t>(after_home)) : std::nullopt;
   }
   if (!flies_upload(s) && is_left_behind(s, index))
     return std::nullopt;

@@ -44,14 +44,14 @@ bool upload_tries::go_on(const transfer::outcome& outcome, std::int64_t now_ns) 
   return true;
 }
 
-progress::upload_ended upload_tries::end(const transfer::outcome& last) const { return behind_earlier(end_of(last)); }
+progress::upload_ended upload_tries::end(const transfer::outcome& last) const { return after_earlier(end_of(last)); }
 
 progress::upload_ended upload_tries::end_unsent(const std::string& why) const {
-  return behind_earlier({upload_verdict::unchanged, {}, why});
+  return after_earlier({upload_verdict::unchanged, {}, why});
 }
 
 // That the last try has changed nothing says nothing of those before.
-progress::upload_ended upload_tries::behind_earlier(progress::upload_ended last) const {
+progress::upload_ended upload_tries::after_earlier(progress::upload_ended last) const {
   if (may_have_come_ && (last.verdict == upload_verdict::unchanged || last.verdict == upload_verdict::other))
     last.verdict = upload_verdict::unknown;
   return last;

@@ -40,7 +40,7 @@ public:
   [[nodiscard]] progress::upload_ended end_unsent(const std::string& why) const;
 
 private:
-  [[nodiscard]] progress::upload_ended behind_earlier(progress::upload_ended last) const;
+  [[nodiscard]] progress::upload_ended after_earlier(progress::upload_ended last) const;
 
   std::int64_t began_ns_ = 0;
   int begun_ = 0;

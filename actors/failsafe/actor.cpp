@@ -147,7 +147,7 @@ void actor::carry_out(const warning& what) {
   others_->log(what);
 }
 
-// What the executor sends behind the answer explains itself to the next process: the limits are on the disk, and the
+// What the executor sends after the answer explains itself to the next process: the limits are on the disk, and the
 // modes that were announced before.
 void actor::carry_out(const guard_resolved& what) {
   after_commit([this, what] { answer_later(what.request_id, what.answer); });

@@ -54,7 +54,7 @@ public:
   static constexpr std::int64_t shortest_pause_ns = 1'000'000'000;
   static constexpr std::int64_t longest_pause_ns = 60'000'000'000;
   static constexpr std::int64_t steady_after_ns = 10'000'000'000; // a connection that held so long was a good one
-  // Events that the broker has been handed and has not acknowledged: what is live waits behind no more than that.
+  // Events that the broker has been handed and has not acknowledged: what is live waits after no more than that.
   static constexpr std::size_t max_window = 20;
   static constexpr std::size_t max_window_bytes = std::size_t{32} * 1024;
   static constexpr std::size_t max_unsent_texts = 24; // live ones that have not left: one of each topic, twice

@@ -25,7 +25,7 @@ std::optional<mavlink::mission_ack> ack_in(const mission_server::reaction& of) {
 }
 
 // Of an ArduPilot, whose home is its item 0.
-bool says_same_behind_home(std::vector<mavlink::mission_item_int> a, std::vector<mavlink::mission_item_int> b) {
+bool says_same_after_home(std::vector<mavlink::mission_item_int> a, std::vector<mavlink::mission_item_int> b) {
   if (a.empty() || a.size() != b.size())
     return false;
   a.erase(a.begin());
@@ -309,7 +309,7 @@ effects core::on_set_mission(const set_mission& m, instant now) {
     const auto before = server_->plan(mav_mission_type::mission);
     server_->put_plan(mav_mission_type::mission, m.items);
     const auto& plan = server_->plan(mav_mission_type::mission);
-    if (owner_.autopilot == mavlink::mav_autopilot::ardupilotmega && says_same_behind_home(before.items, plan.items))
+    if (owner_.autopilot == mavlink::mav_autopilot::ardupilotmega && says_same_after_home(before.items, plan.items))
       views_.replace(before.id, plan.id);
     noted_start_item_.reset();
     ++waiting_for_disk_;

@@ -20,7 +20,7 @@ struct row {
   std::uint64_t Owner::*value;
 };
 
-// Totals behind _total count, all else is as it is now.
+// Totals after _total count, all else is as it is now.
 metric_kind kind_of(std::string_view name) {
   return name.ends_with("_total") ? metric_kind::counter : metric_kind::gauge;
 }

@@ -8,7 +8,7 @@ namespace godwit::mission_client {
 
 namespace {
 
-// Behind what earlier missions left. Empty: with the next one of the service.
+// After what earlier missions left. Empty: with the next one of the service.
 void begin_with(decision_context& t, const std::string& mission_id) {
   auto& s = t.s;
   s.now = phase::delivering_earlier;
@@ -67,7 +67,7 @@ void take(decision_context& t, const mission_fetched& m) {
   std::optional<earlier_reports> earlier;
   if (m.last_report_no.value_or(0) > (note.asks_progress ? note.sure_report_no : note.service_report_no)) {
     earlier = earlier_reports{*m.last_report_no, m.last_report};
-    go_on_behind(t, note, *earlier);
+    continue_after(t, note, *earlier);
   }
   note.asks_progress = false;
   note_known_items(t, m.document);

@@ -52,7 +52,7 @@ void expire_or_wait(decision_context& t, const std::vector<outbox_row*>& failed,
   const auto mission_id = head.mission_id;
   if (is_map(to))
     note_of(t.s, mission_id).set_done(to, true);
-  // Reports go in order: what is behind this one could only be refused.
+  // Reports go in order: what is after this one could only be refused.
   give_up_all(t,
               keys_where(t.s,
                          [&](const outbox_row& each) {

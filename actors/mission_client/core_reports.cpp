@@ -151,7 +151,7 @@ std::uint32_t number_at_service(const mission_note& note, std::uint32_t report_n
   return note.service_report_no > behind ? note.service_report_no - behind : 1;
 }
 
-void go_on_behind(decision_context& t, mission_note& note, const earlier_reports& told) {
+void continue_after(decision_context& t, mission_note& note, const earlier_reports& told) {
   const auto sure = note.asks_progress ? note.sure_report_no : note.service_report_no;
   note.service_report_no = note.sure_report_no = told.last_report_no;
   note.service_report = told.last_report;
@@ -218,7 +218,7 @@ void take(decision_context& t, const progress_told& m) {
   const auto last = m.last_report_no.value_or(0);
   if (last > note.sure_report_no) {
     const earlier_reports told{last, m.last_report};
-    go_on_behind(t, note, told);
+    continue_after(t, note, told);
     t.tell(earlier_found{m.mission_id, told});
   }
   note.asks_progress = false;

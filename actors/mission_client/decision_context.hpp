@@ -40,7 +40,7 @@ void resolve(decision_context& t);
 
 // The service has reports of the mission up to this one, and this journal has fewer: numbers go on after it. What
 // waits and was numbered since the journal was taken up is numbered anew, and left out where the service has it.
-void go_on_behind(decision_context& t, mission_note& note, const earlier_reports& told);
+void continue_after(decision_context& t, mission_note& note, const earlier_reports& told);
 void take(decision_context& t, const report_progress& m);
 void take(decision_context& t, const begun_anew& m);
 void take(decision_context& t, const progress_told& m);

@@ -15,7 +15,7 @@ namespace {
 std::string kind_of(destination to) { return std::string(delivering).append(io::name_of(to)); }
 
 // The lane's rows that wait, from the one with this key on.
-std::vector<std::string> all_behind(const state& s, const std::string& key) {
+std::vector<std::string> all_after(const state& s, const std::string& key) {
   std::vector<std::string> result;
   if (const auto* first = find_row(s.rows, key))
     for (const auto* each : cut_from(s.rows, *first, s.rows.size()))
@@ -95,7 +95,7 @@ bool deliveries::is_too_late(planning_context& d, const outbox_row& change) {
   return true;
 }
 
-// One batch at a time for each lane: what is behind it stays in the store until then.
+// One batch at a time for each lane: what is after it stays in the store until then.
 void deliveries::plan_batches(planning_context& d, const heads& known) {
   for (const auto& note : d.s.missions)
     for (const auto to : {destination::observations, destination::ignored_items})
@@ -182,12 +182,12 @@ void deliveries::take_row_answer(planning_context& d, const lane_id& id, lane& l
   case judgement::gone:
     return d.happened(mission_gone{id.second});
   case judgement::not_found:
-    return d.happened(rows_refused{all_behind(d.s, l.keys.front()), why, true, 0});
+    return d.happened(rows_refused{all_after(d.s, l.keys.front()), why, true, 0});
   case judgement::conflict:
     if (is_map(id.first))
       return d.happened(rows_refused{l.keys, why, false, l.batch_rows});
     // With a report all that come after it are refused too.
-    return d.happened(rows_refused{all_behind(d.s, l.keys.front()), why, false, 0});
+    return d.happened(rows_refused{all_after(d.s, l.keys.front()), why, false, 0});
   case judgement::wrong:
     return d.happened(rows_refused{l.keys, why, false, is_map(id.first) ? l.batch_rows : 0});
   case judgement::not_allowed:

@@ -97,7 +97,7 @@ struct rows_failed {
 struct rows_refused {
   std::vector<std::string> keys; // of one lane
   std::string reason;
-  bool ends_lane = false; // nor what comes behind them
+  bool ends_lane = false; // nor what comes after them
   std::uint32_t rows = 0; // of the map, in the one batch
   GODWIT_FIELDS(rows_refused, "mission_client.rows_refused", keys, reason, ends_lane, rows);
 };

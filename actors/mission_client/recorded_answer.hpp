@@ -36,7 +36,7 @@ inline constexpr std::size_t answer_part_bytes = std::size_t{48} * 1024;
 // A longer body is one part, which the trace names by its size alone: a replay ends there.
 inline constexpr std::size_t max_recorded_body_bytes = std::size_t{512} * 1024;
 
-// The part that begins at FROM in the body, and FROM moved behind it.
+// The part that begins at FROM in the body, and FROM moved after it.
 [[nodiscard]] recorded_answer next_part(const service_news& news, std::size_t& from);
 [[nodiscard]] service_news news_of(recorded_answer first);
 

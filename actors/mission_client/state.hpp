@@ -6,7 +6,7 @@
 //                               │ begin_mission                v mission_gone       └──── pull_map ───────┘
 //                               └───────────────────────── [refused]                   (after a pull that failed)
 //
-// begin_mission for another mission leads to delivering_earlier from everywhere, and so does begin_next; behind it
+// begin_mission for another mission leads to delivering_earlier from everywhere, and so does begin_next; after it
 // stands asking_next then, until next_given leads to fetching. What is owed is delivered in every phase. Whoever begins
 // anew with a mission does not know how old his journal is, and asks the service for its last report (fetching.hpp);
 // until then no report of that mission goes out. Thread: plain values.

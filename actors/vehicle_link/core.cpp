@@ -88,7 +88,7 @@ void core::take_frame(decision_context& t, io::link::peer_id peer, const mavlink
   if (is_forged)
     ++under_its_name_;
   if (is_vehicle) {
-    channel_.follow(frame); // it refuses what is signed long behind its own time
+    channel_.follow(frame); // it refuses what is signed long after its own time
     identity_.on_sequence(frame.sequence(), t.now.monotonic_ns);
   }
   if (is_vehicle && is_late_mode(frame, t.now)) {

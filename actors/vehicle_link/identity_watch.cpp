@@ -37,7 +37,7 @@ void identity_watch::on_place(const geo::point& where, std::int64_t now_ns) {
   places_.note(where, now_ns, apart);
 }
 
-// Behind the newest of a run by a few: one that was sent before it, or the same again, continues it as well.
+// After the newest of a run by a few: one that was sent before it, or the same again, continues it as well.
 void identity_watch::on_sequence(std::uint8_t sequence, std::int64_t now_ns) {
   const auto apart = [](std::uint8_t last, std::uint8_t now) -> std::optional<double> {
     const auto ahead = static_cast<std::uint8_t>(now - last);

@@ -5,7 +5,7 @@
 // at the vehicle on which it was decided is older than look_counts_ns: this process stood still, or the disk did. Or
 // the failsafe has commanded the vehicle since, and the sender did not know of it: such an order would undo the
 // failsafe's, in the time in which no heartbeat shows that yet. The failsafe's commands have rising numbers; an order
-// says the last of them that its sender knows of, and the failsafe's own say theirs. Behind the time in which a
+// says the last of them that its sender knows of, and the failsafe's own say theirs. After the time in which a
 // heartbeat must have come only the mode counts: a number that was lost with a crash keeps nobody out for good.
 //
 // Times: monotonic nanoseconds. Thread: a plain value.

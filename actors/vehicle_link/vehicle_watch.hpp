@@ -6,7 +6,7 @@
 //
 // The first autopilot heard is the vehicle, or the one with the configured system id. It is bound by system, component
 // and the peer that it was heard from: while that one is heard, frames under its name from elsewhere are not the
-// vehicle's, and are counted. Behind a silence it may come from another peer. An autopilot that fell silent before it
+// vehicle's, and are counted. After a silence it may come from another peer. An autopilot that fell silent before it
 // was heard kept_after times is let go; from then on it stays the vehicle until the process ends, so that a second
 // vehicle on the same radio is never commanded by mistake. While a flight is open its vehicle is kept over a restart of
 // the process as well (keep): it is waited for, and another one is named and not taken.
@@ -39,7 +39,7 @@ inline constexpr int frames_of_new_clock = 3;
 inline constexpr std::int64_t new_clock_ns = 1'000'000'000; // from the first of them to the last, at least
 inline constexpr std::int64_t late_within_ns = 1'500'000'000;
 
-// Heartbeats behind which a vehicle is not let go any more.
+// Heartbeats after which a vehicle is not let go any more.
 inline constexpr std::uint64_t kept_after = 10;
 
 // Another autopilot is on the line while its heartbeats, one a second, come: a few may be lost.

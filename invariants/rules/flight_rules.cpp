@@ -41,7 +41,7 @@ struct service_word {
 // For what looks at the reports, mission by mission. State is what is known of one mission.
 //
 // Where a journal was lost or is an older one, what was told and never reached the service has not been: numbers go on
-// behind the service's. What such a process tells before the service has answered is numbered anew by mission_client.
+// after the service's. What such a process tells before the service has answered is numbered anew by mission_client.
 template <class State>
 class about_reports : public invariant {
 public:
@@ -68,7 +68,7 @@ public:
 
 protected:
   virtual void look(const report& told, State& known, const delivery& each) = 0;
-  virtual void go_on_behind(const service_word& told, State& known, const delivery& each) = 0;
+  virtual void continue_after(const service_word& told, State& known, const delivery& each) = 0;
 
 private:
   static service_word word_in(const json& earlier) {
@@ -77,7 +77,7 @@ private:
             last != earlier.end() && last->is_object() ? number(*last, "generation").value_or(0) : 0};
   }
 
-  // Fetched: its reports go on behind those of this journal and of the service.
+  // Fetched: its reports go on after those of this journal and of the service.
   void look_at_mission(const delivery& each) {
     const auto whole = object_in(each);
     const auto known_upto = number(whole, "last_report_no");
@@ -96,10 +96,10 @@ private:
 
   void go_on(const std::string& mission, const service_word& told, const delivery& each) {
     if (const auto found = missions_.find(mission); found != missions_.end())
-      go_on_behind(told, found->second, each);
+      continue_after(told, found->second, each);
   }
 
-  // Behind a crash the report may be durable already: it does not come again then, or as a repetition.
+  // After a crash the report may be durable already: it does not come again then, or as a repetition.
   static bool has_come(outcome how) {
     return how == outcome::handled || how == outcome::crashed || how == outcome::repetition;
   }
@@ -134,7 +134,7 @@ class reports_without_gap final : public about_reports<told_reports> {
     known.newest_run = each.run;
     known.last_in_newest = in_run;
   }
-  void go_on_behind(const service_word& told, told_reports& known, const delivery& each) override {
+  void continue_after(const service_word& told, told_reports& known, const delivery& each) override {
     if (told.last_report_no >= known.last)
       return;
     const auto in_run = last_in(each.run, known);
@@ -161,7 +161,7 @@ class complete_once final : public about_reports<completion> {
     if (told.kind == "complete" && (known.at == 0 || is_newer))
       known = {told.number, told.revision, each.id};
   }
-  void go_on_behind(const service_word& told, completion& known, const delivery&) override {
+  void continue_after(const service_word& told, completion& known, const delivery&) override {
     if (told.last_report_no < known.at)
       known = {};
   }
@@ -182,7 +182,7 @@ class generation_never_falls final : public about_reports<newest_generation> {
     if (told.number > known.number)
       known = {told.generation, told.number, each.id};
   }
-  void go_on_behind(const service_word& told, newest_generation& known, const delivery& each) override {
+  void continue_after(const service_word& told, newest_generation& known, const delivery& each) override {
     if (told.last_report_no < known.number || told.generation > known.generation)
       known = {told.generation, told.last_report_no, each.id};
   }
@@ -282,8 +282,8 @@ private:
 class pilot_is_left_alone final : public about_starts {
   void forget() override { flight_ = {}; }
   void look_at_executor(const delivery& each, const name_table& names) override {
-    if (flight_.pilot_since_id != 0 && flight_.behind.size() < max_behind)
-      flight_.behind.insert(each.id);
+    if (flight_.pilot_since_id != 0 && flight_.after_takeover.size() < max_after_takeover)
+      flight_.after_takeover.insert(each.id);
     if (!failsafe_status_.is(each.type, names) || each.how != outcome::handled)
       return;
     const bool is_taken = flag(object_in(each), "taken_over");
@@ -293,15 +293,15 @@ class pilot_is_left_alone final : public about_starts {
       flight_ = {};
   }
   void look_at_start(const delivery& each) override {
-    if (flight_.pilot_since_id != 0 && flight_.behind.contains(each.cause))
+    if (flight_.pilot_since_id != 0 && flight_.after_takeover.contains(each.cause))
       find(certainty::if_complete, each, {flight_.pilot_since_id, each.cause, each.id},
            "the executor commanded a start although it knew that a pilot has the vehicle");
   }
 
-  static constexpr std::size_t max_behind = 1'000'000;
+  static constexpr std::size_t max_after_takeover = 1'000'000;
   struct takeover {
-    std::uint64_t pilot_since_id = 0;    // of the failsafe_status that told it; 0: no pilot
-    std::set<std::uint64_t> behind = {}; // what the executor took later
+    std::uint64_t pilot_since_id = 0;            // of the failsafe_status that told it; 0: no pilot
+    std::set<std::uint64_t> after_takeover = {}; // what the executor took later
   };
   takeover flight_;
   known_name failsafe_status_{"failsafe.stance"};

@@ -171,7 +171,7 @@ public:
       return;
     auto& newest = newest_[each.actor];
     if (const auto before = crashed_.find(newest); newest != which && before != crashed_.end())
-      before->second.is_last = false; // the actor went on behind it
+      before->second.is_last = false; // the actor went on after it
     newest = which;
   }
 

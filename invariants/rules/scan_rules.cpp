@@ -22,7 +22,7 @@ std::int64_t time_of(const nlohmann::json& of, const char* name) {
   return found != of.end() && found->is_number_integer() ? found->get<std::int64_t>() : 0;
 }
 
-// By the times that the showings were dated with. A number that was there comes again behind a crash; times that go
+// By the times that the showings were dated with. A number that was there comes again after a crash; times that go
 // back are those of another boot.
 class points_within_rate final : public invariant {
 public:

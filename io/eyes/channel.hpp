@@ -28,7 +28,7 @@ public:
   explicit channel(link::descriptor socket) : socket_(std::move(socket)), buffer_(max_datagram_bytes + 1) {}
 
   [[nodiscard]] send_result send(const message& said) const;
-  // The next one. The error is that of a datagram that is none; the ones behind it can be read all the same.
+  // The next one. The error is that of a datagram that is none; the ones after it can be read all the same.
   [[nodiscard]] tl::expected<received, decode_error> receive();
   [[nodiscard]] int number() const { return socket_.number(); }
 

@@ -1,4 +1,4 @@
-// The part of RFC 3339 that all our times share, "2026-05-04T10:15:30", and the decimals behind it.
+// The part of RFC 3339 that all our times share, "2026-05-04T10:15:30", and the decimals after it.
 //
 // Always UTC; leap seconds are not known. Errors: no value for what is no time. Thread: pure.
 #pragma once

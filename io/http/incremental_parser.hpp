@@ -1,6 +1,6 @@
 // Beast's parser, fed with the bytes of a connection as they come, in pieces of any size.
 //
-//   head --> body --> done --begin()--> head ...         what lies behind a message is kept for the next one
+//   head --> body --> done --begin()--> head ...         what lies after a message is kept for the next one
 //
 // Errors: those of Beast; need_more is none of them, but the wish for more bytes. Thread: as any value.
 // Source: RFC 9112; Boost.Beast 1.81.
@@ -99,7 +99,7 @@ public:
   }
 
 private:
-  // "0", two line ends. Behind the head of a chunk that is incomplete there always come as many bytes as this; and with
+  // "0", two line ends. After the head of a chunk that is incomplete there always come as many bytes as this; and with
   // fewer the parser of Boost 1.81 ends the process by an assertion, when the last chunk comes byte by byte.
   static constexpr std::size_t shortest_last_chunk = 5;
 

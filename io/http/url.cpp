@@ -29,7 +29,7 @@ std::optional<boost::asio::ip::address> address_of(std::string_view host) {
   return is_a_name ? std::nullopt : std::optional(address);
 }
 
-// Takes the host from the front of AUTHORITY, which keeps what is behind it.
+// Takes the host from the front of AUTHORITY, which keeps what is after it.
 result<std::string> take_host(std::string_view& authority) {
   if (authority.starts_with('[')) {
     const auto end = authority.find(']');

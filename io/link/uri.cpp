@@ -64,7 +64,7 @@ std::optional<std::string> mistake_in_name(std::string_view host) {
   return std::nullopt;
 }
 
-// An address of one link only names its interface behind a percent sign: fe80::1%eth0.
+// An address of one link only names its interface after a percent sign: fe80::1%eth0.
 std::optional<std::string> mistake_in_ipv6(std::string_view host) {
   const auto zone_at = host.find('%');
   const bool empty_zone = zone_at != std::string_view::npos && zone_at + 1 == host.size();

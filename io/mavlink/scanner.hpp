@@ -11,7 +11,7 @@
 //   FD, id known, checksum right    a frame; with an unknown flag passed over as a whole
 //   FD, id known, checksum wrong    on from the next byte
 //   FD, id and a flag unknown       on from the next byte
-//   FD, id unknown                  passed over if no good frame lies in it, and if the datagram ends behind it or what
+//   FD, id unknown                  passed over if no good frame lies in it, and if the datagram ends after it or what
 //                                   follows is the header of a sender that was heard before; else on from the next byte
 //   FE (MAVLink 1)                  passed over if id, length and checksum fit, else on from the next byte
 //   anything else                   garbage
@@ -177,7 +177,7 @@ private:
     bool cut_off_seen = false; // counted once
   };
 
-  // The next good frame, and EACH moved behind it. None: EACH is at its stop, or at what waits for more bytes.
+  // The next good frame, and EACH moved after it. None: EACH is at its stop, or at what waits for more bytes.
   std::optional<frame_view> next(search& each);
 
   // Searches what begins in the carry, with as much of BYTES as that takes. Returns what is left of BYTES.

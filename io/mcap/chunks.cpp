@@ -100,7 +100,7 @@ chunk_index_entry chunk_builder::finish(std::uint64_t file_offset) {
   return entry;
 }
 
-// Behind the name of their compression, and how long they are then.
+// After the name of their compression, and how long they are then.
 void chunk_builder::append_records(chunk_index_entry& entry) {
   const auto name_at = encoded_.size();
   append_string(encoded_, zstd_name);

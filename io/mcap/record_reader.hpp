@@ -50,7 +50,7 @@ public:
   [[nodiscard]] result<magic_outcome> read_magic();
   // Zeros up to the end of the file count as truncated: after a loss of power a file system may leave them.
   [[nodiscard]] result<outcome> next();
-  // True when nothing stands behind what was read so far.
+  // True when nothing stands after what was read so far.
   [[nodiscard]] result<bool> at_end();
 
   // CRC of all bytes before the record that was read last, from the start or from restart_crc() on.

@@ -41,7 +41,7 @@ result<salvage_reader::item> salvage_reader::next() {
 }
 
 unreadable salvage_reader::lost(std::uint64_t offset, std::uint64_t bytes, std::string why) const {
-  return {offset, bytes, false, !is_behind_data_, std::move(why)};
+  return {offset, bytes, false, !is_after_data_, std::move(why)};
 }
 
 // Bytes of the file, fewer than asked for only at its end. Valid until the next call.
@@ -103,7 +103,7 @@ salvage_reader::step salvage_reader::step_record() {
     is_done_ = true;
     auto cut = lost(offset_, left, left == 0 ? "the end is missing" : "the end is missing, the last record is torn");
     cut.is_cut = true;
-    cut.may_hold_messages = !is_behind_data_ && left != 0;
+    cut.may_hold_messages = !is_after_data_ && left != 0;
     return item{std::move(cut)};
   }
   const auto op = load<std::uint8_t>(prefix->data());
@@ -133,7 +133,7 @@ salvage_reader::step salvage_reader::step_record() {
 
 // A chunk whose first byte is damaged would be skipped, or taken for something else, without a word.
 result<bool> salvage_reader::is_chunk_by_another_name(opcode op, std::uint64_t whole_bytes) {
-  if (op == opcode::chunk || is_behind_data_ || whole_bytes < chunk_header_bytes) {
+  if (op == opcode::chunk || is_after_data_ || whole_bytes < chunk_header_bytes) {
     return false;
   }
   const auto head = view(offset_, chunk_header_bytes);
@@ -159,12 +159,12 @@ salvage_reader::step salvage_reader::on_record(opcode op, byte_view content) {
   switch (op) {
   case opcode::schema:
   case opcode::channel:
-    if (is_behind_data_) { // copies, which no CRC of a chunk covers: read_summary checks and reads them
+    if (is_after_data_) { // copies, which no CRC of a chunk covers: read_summary checks and reads them
       break;
     }
     return op == opcode::schema ? tell(parse_schema(content)) : tell(parse_channel(content));
   case opcode::message:
-    return is_behind_data_ ? lose_record("there is a message after the end of the data") : tell(parse_message(content));
+    return is_after_data_ ? lose_record("there is a message after the end of the data") : tell(parse_message(content));
   case opcode::metadata:
     return tell(parse_metadata(content));
   case opcode::chunk:
@@ -172,7 +172,7 @@ salvage_reader::step salvage_reader::on_record(opcode op, byte_view content) {
   case opcode::message_index:
     return on_message_index(content);
   case opcode::data_end:
-    is_behind_data_ = true;
+    is_after_data_ = true;
     break;
   case opcode::footer:
     return on_end_mark();
@@ -183,7 +183,7 @@ salvage_reader::step salvage_reader::on_record(opcode op, byte_view content) {
   return std::nullopt;
 }
 
-// Its length is said twice; a wrong one would hide what stands behind it. Where a record stands behind both, the one
+// Its length is said twice; a wrong one would hide what stands after it. Where a record stands after both, the one
 // that the format goes by counts.
 salvage_reader::step salvage_reader::on_message_index(byte_view content) {
   constexpr std::string_view why = "an index has two different sizes";
@@ -291,7 +291,7 @@ salvage_reader::step salvage_reader::on_end_mark() {
   if (is_done_) {
     return std::nullopt;
   }
-  is_behind_data_ = false; // whatever stands there
+  is_after_data_ = false; // whatever stands there
   return lose_from(offset_, "there is more after the end");
 }
 
@@ -302,13 +302,13 @@ salvage_reader::step salvage_reader::lose_from(std::uint64_t offset, std::string
     return tl::make_unexpected(found.error());
   }
   auto result = lost(offset, found->value_or(size_bytes_) - offset, std::move(why));
-  result.is_cut = !*found && !is_behind_data_;
+  result.is_cut = !*found && !is_after_data_;
   offset_ = found->value_or(size_bytes_);
   is_done_ = !*found;
   return item{std::move(result)};
 }
 
-// One record, if another one stands behind it; else its length may be what is wrong.
+// One record, if another one stands after it; else its length may be what is wrong.
 salvage_reader::step salvage_reader::lose_record(std::string why) {
   const auto stands = stands_record_at(next_offset_);
   if (!stands) {

@@ -80,7 +80,7 @@ private:
   byte_buffer unpacked_;
   std::uint64_t searched_bytes_ = 0;
   bool has_started_;
-  bool is_behind_data_ = false; // the end of the data section was seen
+  bool is_after_data_ = false; // the end of the data section was seen
   bool is_done_ = false;
 };
 

@@ -23,7 +23,7 @@ namespace asio = boost::asio;
 using boost::system::error_code;
 
 constexpr std::size_t max_password_bytes = 4'096;
-// What the kernel keeps of ours. Its own choice are megabytes, behind which what is live grows old.
+// What the kernel keeps of ours. Its own choice are megabytes, after which what is live grows old.
 constexpr int kernel_buffer_bytes = 32 * 1024;
 // To each address of the broker; the rest of opening_limit is for the look-up and TLS.
 constexpr std::chrono::seconds address_limit{15};
@@ -46,7 +46,7 @@ std::int64_t now_ms() {
       .count();
 }
 
-// One end of line behind the password is cut off.
+// One end of line after the password is cut off.
 http::result<http::secret_text> load_password(const std::string& file) {
   auto read = http::load_secret_file(file, max_password_bytes, http::errc::token_file);
   if (read)

@@ -21,7 +21,7 @@ void heartbeat_sender::send(io::link::link& to, std::int64_t wall_ns) {
                        .system_status = number(mav_state::active)};
   auto frame = encode(beat, identity_, sequence_++, signer_ ? signing::on : signing::off);
   if (signer_ && !signer_->sign(frame, wall_ns))
-    return; // the clock is behind the year 2104; unsigned it would be refused
+    return; // the clock is after the year 2104; unsigned it would be refused
   to.send(frame.span());
 }
 

@@ -6,7 +6,7 @@ namespace {
 constexpr std::string_view before_title = R"(<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>)";
 
-constexpr std::string_view behind_title = R"(</title>
+constexpr std::string_view after_title = R"(</title>
 <meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <style>
@@ -23,7 +23,7 @@ pre { font-size: 13px; overflow-x: auto; background: #f7f9fb; border: 1px solid 
 } // namespace
 
 std::string html_head(std::string_view title) {
-  return std::string(before_title) + html_escaped(title) + std::string(behind_title);
+  return std::string(before_title) + html_escaped(title) + std::string(after_title);
 }
 
 std::string html_escaped(std::string_view text) {

@@ -17,7 +17,7 @@ struct unseen {
   std::string_view last; // of the same length
 };
 
-// In UTF-8, where what is greater stands behind.
+// In UTF-8, where what is greater stands after.
 constexpr std::array<unseen, 9> not_seen{{
     {"\xc2\x80", "\xc2\x9f"},                 // C1
     {"\xc2\xad", "\xc2\xad"},                 // soft hyphen

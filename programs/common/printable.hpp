@@ -13,7 +13,7 @@
 
 namespace godwit::programs {
 
-// Of several lines: AFTER_LINE_END stands behind each line end, so that what follows is seen to belong to it.
+// Of several lines: AFTER_LINE_END stands after each line end, so that what follows is seen to belong to it.
 [[nodiscard]] std::string printable(std::string_view text, std::string_view after_line_end = "    ");
 
 // Of one line, such as a name or a reason: line ends are escaped, too.
@@ -22,7 +22,7 @@ namespace godwit::programs {
 // A configuration or a status as somebody else may see it.
 //
 // Left out are the values of names that mean a secret (token, password, secret, key, but not the names of files), and
-// of addresses the user, the password and what stands behind a question mark. Thread: pure.
+// of addresses the user, the password and what stands after a question mark. Thread: pure.
 
 [[nodiscard]] nlohmann::json without_secrets(nlohmann::json document);
 

@@ -10,7 +10,7 @@ namespace godwit::drill {
 class progress_bar {
 public:
   explicit progress_bar(std::uint64_t total);
-  // NOTE stands behind the bar, e.g. "412 crashes". Cheap when nothing is to be drawn.
+  // NOTE stands after the bar, e.g. "412 crashes". Cheap when nothing is to be drawn.
   void show(std::uint64_t done, const std::string& note);
   void finish();
 

@@ -44,7 +44,7 @@ public:
     messages_.push_back(std::move(message));
   }
 
-  // Behind everything that was submitted; there is something.
+  // After everything that was submitted; there is something.
   void hold(confirmation taken) { confirmations_.emplace_back(newest_, std::move(taken)); }
 
   struct done {

@@ -33,7 +33,7 @@ public:
 
   // Those of SOURCE up to ID were handled.
   void seen(std::uint32_t source, effect_id id) {
-    std::deque<copy> gone; // released behind the lock
+    std::deque<copy> gone; // released after the lock
     const std::lock_guard guard(mutex_);
     const auto found = of_sender_.find(source);
     if (found == of_sender_.end())

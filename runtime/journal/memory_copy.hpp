@@ -1,7 +1,7 @@
 // What the journal holds of each actor, once more in memory: when the file is deleted, replaced or cut in flight, this
 // is what goes on, and what a new file is made of.
 //
-// Snapshots keep it small: for each actor one, the events behind it (100 at most), the effects that are not released
+// Snapshots keep it small: for each actor one, the events after it (100 at most), the effects that are not released
 // and the marks. Not in it: dead letters, the outbox as a table for people, and typed tables. Thread: the journal's
 // writer.
 #pragma once

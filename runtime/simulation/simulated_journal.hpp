@@ -59,7 +59,7 @@ public:
   void fail_writes(bool failing) { failing_ = failing; }
   // As if its queue was full.
   void refuse_writes(bool refusing) { refusing_ = refusing; }
-  // As while the disk syncs: nothing commits, and what is behind a write waits with it. It does not fail.
+  // As while the disk syncs: nothing commits, and what is after a write waits with it. It does not fail.
   void hold(bool holding) { holding_ = holding; }
   // The next write of ACTOR with an event can never commit, nor can the first after each of the next TIMES - 1
   // recoveries.

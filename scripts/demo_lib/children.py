@@ -34,7 +34,7 @@ def environment():
 
 
 class Child:
-    """One program. What it prints goes to a file, behind what it printed before it was started again."""
+    """One program. What it prints goes to a file, after what it printed before it was started again."""
 
     def __init__(self, name, command, folder):
         self.name = name

@@ -34,7 +34,7 @@ def wait_for_moment(watch, service, what, seconds):
 
 
 def reassign(watch, service, seconds):
-    """The service replaces what is behind the item that is flown now."""
+    """The service replaces what is after the item that is flown now."""
     for number in range(1, MAX_TAILS + 1):
         flight, mission = wait_for_moment(watch, service, "another tail", seconds)
         after = mission["items"][flight["items_done"]]["id"]

@@ -1,4 +1,4 @@
-"""Restarts of actors, counted in the trace of godwitd: the event that an incarnation behind the first one is up.
+"""Restarts of actors, counted in the trace of godwitd: the event that an incarnation after the first one is up.
 
 godwit-trace reads it while it is written, as far as it is there."""
 

@@ -108,7 +108,7 @@ def middle_of(mission):
 
 
 def other_tail(mission, index, number):
-    """Items that replace all behind item INDEX. NUMBER tells their names from those of earlier tails."""
+    """Items that replace all after item INDEX. NUMBER tells their names from those of earlier tails."""
     plane = Plane(middle_of(mission))
     fences = [(each["kind"], [plane.point(corner) for corner in each["vertices"]]) for each in mission["geofences"]]
     flown, rest = mission["items"][: index + 1], mission["items"][index + 1 :]

@@ -122,7 +122,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     at_ns += step_of(how[3]);
     const bool is_right =
         width >= 64 && height >= 64 && width <= 8192 && height <= 8192 && stride >= static_cast<std::size_t>(width);
-    // Not a byte more than there has to be: the sanitizer sees who reads behind it.
+    // Not a byte more than there has to be: the sanitizer sees who reads after it.
     std::vector<std::uint8_t> pixels(
         is_right ? stride * static_cast<std::size_t>(height - 1) + static_cast<std::size_t>(width) : 0);
     for (int y = 0; is_right && y < height; ++y)

@@ -3,7 +3,7 @@
 //
 // An input is one byte and a log; the lowest bit of the byte says whether checksums are made right first. Then:
 //
-//   - the reader ends, and its records lie in the log one behind the other, with the time that stands before them;
+//   - the reader ends, and its records lie in the log one after the other, with the time that stands before them;
 //   - a record that is called verified has a right checksum, and one that is not has an id that nobody knows;
 //   - every right frame that a search from byte to byte finds is given, or lies in a record that is;
 //   - the bytes that it calls skipped and those that it gave are not more than there are.
@@ -23,9 +23,9 @@ struct place {
   std::uint64_t end = 0;
 };
 
-inline finding check_record(byte_view log, const tlog_record& record, std::uint64_t behind_last, bool has_time) {
+inline finding check_record(byte_view log, const tlog_record& record, std::uint64_t after_last, bool has_time) {
   const std::size_t size = record.frame.size();
-  if (record.offset_bytes < behind_last || record.offset_bytes + size > log.size())
+  if (record.offset_bytes < after_last || record.offset_bytes + size > log.size())
     return "a record is not where it can be";
   const byte_view before = log.first(record.offset_bytes);
   if (!std::ranges::equal(record.frame.bytes(), log.subspan(record.offset_bytes, size)))

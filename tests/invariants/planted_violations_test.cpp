@@ -120,7 +120,7 @@ row point_closed(std::int64_t at_ms, std::uint64_t id, int number, const std::st
           .incarnation = 2};
 }
 
-// Behind the start, in front of the reports.
+// After the start, in front of the reports.
 void insert_before_reports(record& to, const record& rows) { to.insert(to.begin() + 7, rows.begin(), rows.end()); }
 
 // A flight in which all is as promised: a start by a word, a crash that is put back, a pilot, the end.

@@ -184,7 +184,7 @@ TEST(durable_write, a_full_journal_crashes_nothing_and_loses_nothing) {
   EXPECT_EQ(w.disk.actors["pair"].kept.last_event, 602);
 }
 
-TEST(durable_write, behind_its_bound_an_actor_refuses_asks_and_keeps_the_rest_in_order) {
+TEST(durable_write, beyond_its_bound_an_actor_refuses_asks_and_keeps_the_rest_in_order) {
   pair_world w;
   w.world.journal().refuse_writes(true);
   const auto many = static_cast<std::int64_t>(max_unreleased_effects / 2) + 10;

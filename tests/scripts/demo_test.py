@@ -122,7 +122,7 @@ class Tail(unittest.TestCase):
         mission["items"][2]["id"] = "x" * 64
         self.assertTrue(all(len(each["id"]) <= 64 for each in tail.other_tail(mission, 1, 1)))
 
-    def test_each_shipped_mission_has_a_free_detour_behind_each_item_that_is_flown(self):
+    def test_each_shipped_mission_has_a_free_detour_after_each_item_that_is_flown(self):
         for name in ("survey", "delivery", "patrol"):
             mission = json.loads((ROOT / "missions" / f"{name}.json").read_text(encoding="utf-8"))
             plane = tail.Plane(mission["return_point"])
@@ -286,7 +286,7 @@ class Pipe(unittest.TestCase):
 class Trace(unittest.TestCase):
     LINE = '{"run":%d,"id":%d,"message":{"name":"executor","kind":"up","incarnation":%d,"reason":""}}\n'
 
-    def test_incarnations_behind_the_first_are_counted_once_while_the_trace_grows(self):
+    def test_incarnations_after_the_first_are_counted_once_while_the_trace_grows(self):
         with tempfile.TemporaryDirectory() as folder:
             told = Path(folder) / "told"
             program = Path(folder) / "godwit-trace"

@@ -36,7 +36,7 @@ def shown_commands(text):
 
 
 def options_of(command):
-    """The help of each part of a command, for an option of `godwitd` may stand behind `ctl status`."""
+    """The help of each part of a command, for an option of `godwitd` may stand after `ctl status`."""
     return "".join(help_of(*command[:count]) for count in range(1, len(command) + 1))
 
 

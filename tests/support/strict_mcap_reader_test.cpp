@@ -136,7 +136,7 @@ TEST(strict_mcap_reader, the_end_and_an_error_are_given_again) {
   }
 }
 
-TEST(strict_mcap_reader, bytes_behind_the_end_are_an_error) {
+TEST(strict_mcap_reader, bytes_after_the_end_are_an_error) {
   byte_buffer file = file_with({});
   file.push_back(std::byte{1});
   EXPECT_EQ(read_all(file).end, ending::error);

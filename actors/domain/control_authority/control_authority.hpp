@@ -76,7 +76,7 @@ public:
 
   // Before an order goes out. MODES obey it, in this order. It takes the place of what was expected.
   void expect(std::vector<std::uint32_t> modes, std::int64_t until_ns);
-  // Behind what is expected already, whose effect may still come.
+  // After what is expected already, whose effect may still come.
   void expect_also(const std::vector<std::uint32_t>& modes, std::int64_t now_ns, std::int64_t until_ns);
   // The order for them was not sent after all.
   void withdraw(const std::vector<std::uint32_t>& modes);

@@ -4,7 +4,7 @@
 //   take(piece) ──> the texts that are complete by it: none, this one, and one before it that was cut off
 //   take_late() ──> one whose next piece did not come within piece_patience_ns, with "..." where it is cut
 //
-// One text is open at a time: autopilots send the pieces of a text one behind the other. Pure; times are monotonic
+// One text is open at a time: autopilots send the pieces of a text one after the other. Pure; times are monotonic
 // nanoseconds. Thread: one owner. Source: STATUSTEXT (253) of MAVLink's common.xml, fields id and chunk_seq.
 #pragma once
 

@@ -19,7 +19,7 @@ std::string_view text_of(flight::holder who) {
 
 } // namespace
 
-// What the record says comes before what is watched: behind a landing nobody is watched, and it still is a person's.
+// What the record says comes before what is watched: after a landing nobody is watched, and it still is a person's.
 std::string_view authority_text(const flight_context& flight) {
   if (flight.failsafe_status && flight.failsafe_status->reacts)
     return "failsafe";

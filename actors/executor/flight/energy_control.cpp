@@ -96,7 +96,7 @@ way_home_estimate energy_control::way_home(instant now) const {
   return result;
 }
 
-std::optional<double> energy_control::spare_behind(const plan::flight_plan& plan) const {
+std::optional<double> energy_control::spare_after(const plan::flight_plan& plan) const {
   const auto& home = flight_.view.home();
   if (!home)
     return std::nullopt;

@@ -20,8 +20,8 @@ public:
 
   // The vehicle has told its battery's level.
   [[nodiscard]] effects on_battery(instant now);
-  // Above the level of the failsafe's return, behind PLAN and the way home from its end; none: not known.
-  [[nodiscard]] std::optional<double> spare_behind(const plan::flight_plan& plan) const;
+  // Above the level of the failsafe's return, after PLAN and the way home from its end; none: not known.
+  [[nodiscard]] std::optional<double> spare_after(const plan::flight_plan& plan) const;
   // What the way home would take now; for people.
   [[nodiscard]] way_home_estimate way_home(instant now) const;
   // In flight: people have been warned, and it has not got better.

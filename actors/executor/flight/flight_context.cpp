@@ -72,7 +72,7 @@ bool flight_context::is_plan_finished() const { return s.progress.plan && s.prog
 bool flight_context::is_on_way_home() const { return s.progress.plan && progress::is_way_home(s.progress.plan->map); }
 
 bool flight_context::is_mission_finished() const {
-  const auto& open = s.progress.mission; // behind its end the vehicle may have been called home by another plan
+  const auto& open = s.progress.mission; // after its end the vehicle may have been called home by another plan
   return (is_plan_finished() && s.progress.plan->map.ends_mission) ||
          (is_on_way_home() && open && open->completed_revision == open->revision);
 }

@@ -122,7 +122,7 @@ struct flight_context {
   [[nodiscard]] bool is_mission_flown() const; // it flies to its items, and may have been commanded to hold
   [[nodiscard]] bool is_landing() const;       // the same: it comes down, or is home already
   [[nodiscard]] bool may_change_plan() const;  // of a flight
-  // Behind a plan that ends in the air, or on a way that a rover has driven: it can be sent elsewhere.
+  // After a plan that ends in the air, or on a way that a rover has driven: it can be sent elsewhere.
   [[nodiscard]] bool hovers() const;
 
   // From the beginning of its first flight until the mission is over, or a person ends it: no other vehicle is taken.
@@ -147,13 +147,13 @@ struct flight_context {
   [[nodiscard]] bool ends_on_ground() const;       // by a landing or a return
   // On the ground, where the last item of the plan leads.
   [[nodiscard]] bool came_down_as_planned(instant now) const;
-  // PX4 says that a plan is complete as its return begins, and behind any landing. It is when the vehicle is where the
+  // PX4 says that a plan is complete as its return begins, and after any landing. It is when the vehicle is where the
   // plan leads: on the ground there, or in the air in a mode of the plan; and not any more when the next one is brought
   // to a vehicle that stands.
   [[nodiscard]] bool is_complete_credible(instant now) const;
 
   // -- home
-  // Behind a landing on the way autopilots have moved their home to where they were armed, and anybody may move it in
+  // After a landing on the way autopilots have moved their home to where they were armed, and anybody may move it in
   // flight; the mission's is kept.
   [[nodiscard]] bool keeps_home() const { return s.home && s.home->is_resolved; }
   // In flight: a return leads elsewhere than to the mission's home, or may.

@@ -149,7 +149,7 @@ bool flight_end::hold_where_mission_ended(effects& out) {
   return true;
 }
 
-// Who has the vehicle still has it behind the end of the mission: the next one waits for a hand-back.
+// Who has the vehicle still has it after the end of the mission: the next one waits for a hand-back.
 void flight_end::end_mission(effects& out, const std::string& why) {
   if (flight_.configured.has_service)
     out.emplace_back(say_to_client{mission_client::push_map{flight_.s.mission->mission_id}});

@@ -21,12 +21,12 @@ public:
   [[nodiscard]] bool end_by_person(effects& out, instant now);
   // Whoever arms a vehicle that stands in its mission mode is run over: PX4 goes back into it when it disarms,
   // ArduPilot stays in it. The only thing that is sent to a vehicle that somebody else has, and never while it is
-  // armed. An ArduPilot's rover stays armed in it behind its last item: when the mission is over, and nobody else has
+  // armed. An ArduPilot's rover stays armed in it after its last item: when the mission is over, and nobody else has
   // the vehicle, it is told to hold.
   [[nodiscard]] bool leave_mission_mode(effects& out, instant now);
 
 private:
-  // Disarmed, or down behind the end of the plan; a rover: at the end of its plan.
+  // Disarmed, or down after the end of the plan; a rover: at the end of its plan.
   [[nodiscard]] bool is_down(instant now) const;
   // What a Copter and PX4 do not say: that the landing, or the return, with which the plan ends is done.
   [[nodiscard]] bool was_brought_down(instant now) const;
@@ -42,7 +42,7 @@ private:
   std::int64_t down_since_ns_ = 0;     // 0: it is not
   std::int64_t disarmed_since_ns_ = 0; // 0: it is armed
   bool has_stood_by_ = false;          // tried, since it was armed last
-  bool was_told_to_hold_ = false;      // behind the end of this mission
+  bool was_told_to_hold_ = false;      // after the end of this mission
   bool was_put_there_ = false;         // in its mission mode, since it was armed last
 };
 

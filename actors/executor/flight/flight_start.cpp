@@ -17,7 +17,7 @@ void flight_start::begin(effects& out, std::optional<std::uint64_t> key, std::ui
 
 std::uint16_t flight_start::first_sequence() const { return flight_.s.progress.plan->map.start_sequence; }
 
-// For the item that is asked for; for the first of all where the plan begins, behind the home of a vehicle.
+// For the item that is asked for; for the first of all where the plan begins, after the home of a vehicle.
 std::optional<std::uint16_t> flight_start::sequence_of(const start_mission& asked) const {
   if (asked.first == 0 && flight_.s.progress.plan)
     return first_sequence();

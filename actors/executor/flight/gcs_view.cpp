@@ -34,7 +34,7 @@ std::vector<io::mavlink::mission_item_int> without_return_point(std::vector<io::
   return items;
 }
 
-// Behind a flight that ended under its person: the start has given the vehicle back, and says that it goes on.
+// After a flight that ended under its person: the start has given the vehicle back, and says that it goes on.
 bool prepare_again(flight_context& flight) {
   if (!flight.wanted.hand_back || flight.is_in_flight() || flight.s.status.now != phase::paused)
     return false;
@@ -107,7 +107,7 @@ std::string gcs_view::why_no_plan(const plan_taken& m, bool has_looked) const {
     return "missions come from " + elsewhere + " here";
   if (is_flight_begun(flight_.s))
     return uploads_.why_not(m.by, has_looked);
-  if (flight_.has_person() && flight_.s.person != m.by) // its own is kept, and brought behind the hand-back
+  if (flight_.has_person() && flight_.s.person != m.by) // its own is kept, and brought after the hand-back
     return "the vehicle has to be handed back first";
   return {};
 }

@@ -102,7 +102,7 @@ void last_line::add(mav_mission_type type, items wanted, bool was_brought) {
     waiting_.push_back({type, std::move(wanted)});
 }
 
-// It is noted before it goes out: whoever comes behind a crash clears what may have come.
+// It is noted before it goes out: whoever comes after a crash clears what may have come.
 void last_line::begin_next(effects& out, instant now) {
   doing_.reset();
   reads_back_ = false;

@@ -4,7 +4,7 @@
 //   ready, disarmed ──> fence: upload, read back ──> rally points: the same ──> the rest goes on
 //   no mission any more: what godwit has brought is cleared
 //
-// It stands behind the plan and before the start, and nothing about it is in the way of a mission: what the vehicle
+// It stands after the plan and before the start, and nothing about it is in the way of a mission: what the vehicle
 // refuses or does not answer within a few seconds is a warning. What somebody else has put there is replaced where the
 // mission has its own, and else left alone. Only a vehicle that stands disarmed, and that godwit has, is brought
 // anything: one outside of its new fence acts at once. Which rally points: those of a station whose plan is the

@@ -96,7 +96,7 @@ std::string part_choice::why_not_changed() const {
 }
 
 // A flight that is paused goes on as it is when it is started from the first item to the end, but for one that waits
-// behind the end of its part.
+// after the end of its part.
 bool part_choice::begin_in_flight(effects& out, const start_mission& asked, instant now) {
   const auto& s = flight_.s;
   if (leaves_end(asked) || !is_of_plan(asked))
@@ -104,8 +104,8 @@ bool part_choice::begin_in_flight(effects& out, const start_mission& asked, inst
   const auto has = chosen_part(s);
   const bool goes_on = asked.first == 0 && s.status.now == phase::paused;
   const bool is_to_end = asked.last + 1 >= s.station->items;
-  const bool waits_behind_part = s.status.cause == pause_cause::plan_ended;
-  if (goes_on ? asked.last == has.last || (is_to_end && !waits_behind_part) : is_had_as_it_is(asked))
+  const bool waits_after_part = s.status.cause == pause_cause::plan_ended;
+  if (goes_on ? asked.last == has.last || (is_to_end && !waits_after_part) : is_had_as_it_is(asked))
     return false;
   if (const auto why = why_not_changed(); !why.empty())
     return refuse(out, asked, start_verdict::not_ready, why);

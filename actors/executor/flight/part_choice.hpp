@@ -3,7 +3,7 @@
 //   on the ground   the part is the next mission ──checks, upload──> ready ──> the start goes on, within start_waits_ns
 //   in flight       one task: upload, guard, on to the first item of the part
 //
-// A start that waits is not on the disk: a crash ends it, and nothing is started by whoever comes behind. Pure. Thread:
+// A start that waits is not on the disk: a crash ends it, and nothing is started by whoever comes after. Pure. Thread:
 // one at a time.
 #pragma once
 

@@ -208,7 +208,7 @@ constexpr std::array table{
     with(row(trigger::delivered, of(post_flight), no_guard, done), cause_rule::kept),
 };
 
-pause_cause cause_behind(const transition& taken, const phase_status& before) {
+pause_cause cause_after(const transition& taken, const phase_status& before) {
   switch (taken.rule) {
   case cause_rule::kept:
     return before.cause;
@@ -220,7 +220,7 @@ pause_cause cause_behind(const transition& taken, const phase_status& before) {
   return taken.cause;
 }
 
-bool flies_behind(const transition& taken, const flight_context& c) {
+bool flies_after(const transition& taken, const flight_context& c) {
   switch (taken.in_flight) {
   case flight_bit::yes:
     return true;
@@ -249,8 +249,8 @@ void phase_machine::go(effects& out, trigger what, const std::string& reason) {
     if (each.on != what || !has(each.from, before.now) || (each.holds != nullptr && !each.holds(flight_)))
       continue;
     ++taken_[i][static_cast<std::size_t>(before.now)];
-    const phase_status next{each.next.value_or(before.now), cause_behind(each, before),
-                            reason.empty() ? std::string(each.reason) : reason, flies_behind(each, flight_)};
+    const phase_status next{each.next.value_or(before.now), cause_after(each, before),
+                            reason.empty() ? std::string(each.reason) : reason, flies_after(each, flight_)};
     if (next != before)
       out.emplace_back(note{next});
     return;

@@ -95,7 +95,7 @@ preflight::report preparation::look_at_all(instant now) {
           crossings_.push_back(found);
       }
       seen.mission.straight_return = crossings_;
-      seen.mission.spare_percent = energy_.spare_behind((*plans_)->front());
+      seen.mission.spare_percent = energy_.spare_after((*plans_)->front());
     }
   }
   seen.journal = host_status_.journal;

@@ -126,7 +126,7 @@ std::vector<std::uint32_t> recovery::left_in(const std::optional<task>& doing) c
   return result;
 }
 
-// The task is ended by the first restart; a second one behind it still finds the vehicle held for it.
+// The task is ended by the first restart; a second one after it still finds the vehicle held for it.
 std::optional<task> recovery::was_doing() const {
   const auto& s = flight_.s;
   const bool is_cut_off = s.progress.upload || (s.cut_off_uploads > 0 && !s.waiting.empty());
@@ -222,7 +222,7 @@ void recovery::on_news(const progress::resolve_start&, instant now) {
   looking_since_ns_ = now.now_ns;
 }
 
-// The link takes it behind the transfer that is under way.
+// The link takes it after the transfer that is under way.
 void recovery::read_back(effects& out, instant now) {
   if (reading_back_ != 0 || now.now_ns < read_again_ns_)
     return;

@@ -11,7 +11,7 @@
 // HOME_POSITION is asked for in flight where it does not come by itself. A plan that ends with the autopilot's return
 // is brought anew, with a way to the kept home in its place; who returns already is called home by a plan.
 //
-// Autopilots set home where they are armed, so behind a landing on the way a return would lead to the customer. Pure.
+// Autopilots set home where they are armed, so after a landing on the way a return would lead to the customer. Pure.
 // Thread: one at a time. Source: MAV_CMD_DO_SET_HOME; ArduPilot's locks home until it starts again when it is a
 // command, and not when it is an item.
 #pragma once

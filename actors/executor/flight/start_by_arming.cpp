@@ -28,7 +28,7 @@ act_answer start_by_arming::start(effects& out, instant now) {
   const auto awaited = *std::exchange(flight_.awaited_arming, {});
   if (auto why = preparation_.why_not_start(out, now); !why.empty())
     return {act_verdict::refused, "the mission is not started: " + why};
-  // Who watches from the arming on has not seen the mode that it waited in: it comes once more, behind the start.
+  // Who watches from the arming on has not seen the mode that it waited in: it comes once more, after the start.
   const auto modes = flight::modes_obeying(flight_.view.owner(), flight::mode_kind::mission);
   out.emplace_back(say_to_failsafe{failsafe::expect_mode{modes, 0, true}});
   flight_.wanted.start.emplace();

@@ -8,7 +8,7 @@
 namespace godwit::executor {
 namespace {
 
-// Behind the take-off with which it begins: the vehicle is in the air.
+// After the take-off with which it begins: the vehicle is in the air.
 std::size_t first_in_air(const mission::document& mission) {
   const auto& items = mission.items;
   const auto moves = std::ranges::find_if(items, mission::moves_vehicle);

@@ -4,8 +4,8 @@
 //   godwit                            └─> revision + 1, brought to the vehicle as it holds;
 //                                       plan_judged when it is there
 //
-// An upload never moves the vehicle: it holds before and behind it, and goes on at a person's word. What flies begins
-// behind the take-off of the new plan. The fences are those of the flight. Pure. Thread: one at a time. Source:
+// An upload never moves the vehicle: it holds before and after it, and goes on at a person's word. What flies begins
+// after the take-off of the new plan. The fences are those of the flight. Pure. Thread: one at a time. Source:
 // docs/decisions/plans.md.
 #pragma once
 
@@ -24,7 +24,7 @@ public:
   // Empty: it is on its way to the vehicle; what becomes of it is told as plan_judged, also over a crash. Else why not.
   [[nodiscard]] std::string begin(effects& out, const station_plan_taken& next, instant now);
 
-  // A start behind it waits for its last steps: its station has heard already that the plan is on the vehicle.
+  // A start after it waits for its last steps: its station has heard already that the plan is on the vehicle.
   [[nodiscard]] bool is_under_way() const;
 
 private:

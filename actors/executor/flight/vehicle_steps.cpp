@@ -14,8 +14,8 @@ using io::mavlink::mav_autopilot;
 // A vehicle that is left in its mission mode on the ground would begin what it holds as soon as somebody arms it (PX4),
 // or does not begin at all when it is started in the mode in which it is (ArduPilot's rover).
 steps out_of_mission_steps(const flight_context& flight) {
-  const bool stands_behind_it = flight.view.says_complete() && !flight.is_in_air();
-  if (!flight.view.is_in(mode_kind::mission) || (flight.view.is_armed() && !stands_behind_it))
+  const bool stands_after_it = flight.view.says_complete() && !flight.is_in_air();
+  if (!flight.view.is_in(mode_kind::mission) || (flight.view.is_armed() && !stands_after_it))
     return {};
   return {safe_ground_mode{flight.view.is_armed()}};
 }

@@ -73,7 +73,7 @@ struct mission_facts {
   bool is_deleted = false;                                  // by the service, and so not flown any more
   const plan_result* plans = nullptr;                       // of this document; null: not planned yet
   std::optional<std::vector<plan::violation>> way;          // of all plans; absent: not looked at yet
-  std::optional<double> spare_percent;                      // of the battery, behind the first plan and the way home
+  std::optional<double> spare_percent;                      // of the battery, after the first plan and the way home
   std::optional<std::vector<plan::violation>> return_point; // absent: not looked at yet
   std::optional<std::vector<std::string>> out_of_limits;    // a sentence for each item; absent: not looked at yet
   std::optional<planned_home_fact> planned_home;            // absent: there is none, or it was not looked at yet

@@ -75,7 +75,7 @@ void count_early_picture(generation_state& g) {
     count_pictures(g.pictures, early->index, early->count);
 }
 
-// Behind the item at POSITION a picture is taken, before the next that moves the vehicle.
+// After the item at POSITION a picture is taken, before the next that moves the vehicle.
 bool precedes_picture(const plan_map& map, std::uint32_t position) {
   for (auto i = position + 1; i < map.items.size() && !map.items[i].last_nav_sequence; ++i)
     if (map.items[i].act == act_kind::picture)

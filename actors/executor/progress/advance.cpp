@@ -58,7 +58,7 @@ void resolve_next(decision_context& t, progress_kind kind, bool is_inferred) {
   note_resolved(plan);
 }
 
-// By a vehicle that begins at START. What has no vehicle items stands at its beginning, and is not behind it.
+// By a vehicle that begins at START. What has no vehicle items stands at its beginning, and has not passed it.
 bool is_jumped_over(const mapped_item& item, std::uint16_t start) {
   return item.sequence_count == 0 ? item.first_sequence < start : is_passed(item, start);
 }
@@ -79,7 +79,7 @@ void report_completion(decision_context& t, bool is_inferred) {
   tell(t, progress_event_kind::mission_complete);
 }
 
-// What stands behind the last movement takes no time, but for an act of which a report may come.
+// What stands after the last movement takes no time, but for an act of which a report may come.
 void finish(decision_context& t, bool is_inferred) {
   auto& plan = *t.s.plan;
   if (plan.generation.is_finished || plan.generation.resolved < items_to_finish(plan.map))
@@ -123,7 +123,7 @@ void adopt_move(decision_context& t) {
   begin(t);
 }
 
-// Items behind UPTO were not flown: the vehicle was told to end earlier.
+// Items after UPTO were not flown: the vehicle was told to end earlier.
 void adopt_complete(decision_context& t) {
   auto& plan = *t.s.plan;
   const auto upto = *std::exchange(plan.generation.complete_upto, std::nullopt);

@@ -9,7 +9,7 @@
 //   state complete, and no REACHED    all up to there  reached, inferred, the same way
 //
 // Items are resolved in the order of the mission, each once in a generation, so an index never goes back. What waits
-// for a REACHED is resolved by the next message behind its time, and at the latest when the generation ends. Thread:
+// for a REACHED is resolved by the next message after its time, and at the latest when the generation ends. Thread:
 // one at a time.
 #pragma once
 

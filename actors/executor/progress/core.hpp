@@ -6,7 +6,7 @@
 // Pure: the same state, event and time give the same effects. The caller makes the new state durable together with the
 // effects before it lets them out, so that a crash in between loses and doubles nothing. Thread: one at a time.
 //
-// Rules, each with a test of its own name: a report has the number behind the one before, in each mission; no report is
+// Rules, each with a test of its own name: a report has the number after the one before, in each mission; no report is
 // of a generation before the newest; within a generation the index of the items never goes back; `complete` comes once
 // for each revision; nothing counts in a generation that is not armed, and nothing while paused.
 #pragma once

@@ -24,7 +24,7 @@ void answer_accepted(decision_context& t, const pending_upload& upload) {
                                                       .generation = upload.generation}});
 }
 
-// Of the old plan: what nobody did and the new plan, which goes on behind it, does not contain. Of another revision it
+// Of the old plan: what nobody did and the new plan, which goes on after it, does not contain. Of another revision it
 // is not known whether the items are still in the mission.
 std::vector<mapped_item> left_out(const state& s, const pending_upload& upload) {
   std::vector<mapped_item> result;
@@ -38,7 +38,7 @@ std::vector<mapped_item> left_out(const state& s, const pending_upload& upload) 
   return result;
 }
 
-// Nothing that is told behind a way home is progress of the mission.
+// Nothing that is told after a way home is progress of the mission.
 void end_mission(decision_context& t) {
   take(t, mission_aborted{});
   t.s.paused = pause_reason::aborted;

@@ -54,7 +54,7 @@ struct start_intended {
   GODWIT_FIELDS(start_intended, "executor.progress_start_intended", sequence, was_incomplete, was_beyond);
 };
 
-// The missions service has more reports of a mission than we know of: numbers and generations go on behind them.
+// The missions service has more reports of a mission than we know of: numbers and generations go on after them.
 struct earlier_reports_told {
   std::string mission_id;
   std::uint32_t last_report_no = 0;

@@ -35,7 +35,7 @@ bool says_complete(const mission_current& message) {
   return message.mission_state == io::mavlink::number(io::mavlink::mission_state::complete);
 }
 
-// Where commands stand in front, a vehicle is seen behind them, but not when it may have come there otherwise: it goes
+// Where commands stand in front, a vehicle is seen after them, but not when it may have come there otherwise: it goes
 // on in a plan with the same content, says with its old sequence that the old plan is complete, or says in a late
 // message without an id where it was in the old plan.
 bool is_at_start(const decision_context& t, const mission_current& message) {

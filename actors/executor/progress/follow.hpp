@@ -3,7 +3,7 @@
 //   MISSION_CURRENT                       within settling_ns                   later
 //   of our plan, at the start             arms                                 arms
 //   of our plan, ahead of where it was    nothing                              armed: moves on; else not_at_start
-//   of our plan, behind where it was      nothing                              nothing: it is late
+//   of our plan, before where it was      nothing                              nothing: it is late
 //   sequence not in the plan              nothing                              nothing
 //   of another plan, or of none           nothing                              paused: foreign plan
 //
@@ -17,7 +17,7 @@
 // While an upload is under way, a vehicle with plan ids goes on with the old plan: MISSION_CURRENT with another id is
 // held until the upload is resolved, and a REACHED waits until the old id is seen again. A vehicle without them is held
 // in place: its MISSION_CURRENT means nothing then, a REACHED is of what it flew before. While a start is under way,
-// MISSION_CURRENT that may come of it is held, and a REACHED behind it counts nothing. Thread: one at a time.
+// MISSION_CURRENT that may come of it is held, and a REACHED after it counts nothing. Thread: one at a time.
 #pragma once
 
 #include "actors/executor/progress/decision_context.hpp"

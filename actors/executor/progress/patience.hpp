@@ -10,7 +10,7 @@ namespace godwit::executor::progress {
 // lost by it, because a vehicle goes on telling where it is.
 inline constexpr std::int64_t settling_ns = 2'000'000'000;
 
-// PX4 sends the MISSION_ITEM_REACHED of an item before or behind the MISSION_CURRENT of the next one, up to 0.65 s
+// PX4 sends the MISSION_ITEM_REACHED of an item before or after the MISSION_CURRENT of the next one, up to 0.65 s
 // apart. The item counts as left without one when this is over.
 inline constexpr std::int64_t reached_late_ns = 1'000'000'000;
 

@@ -8,14 +8,14 @@ namespace godwit::executor::progress {
 
 namespace {
 
-std::uint32_t behind(const mapped_item& item) { return std::uint32_t{item.first_sequence} + item.sequence_count; }
+std::uint32_t end_of(const mapped_item& item) { return std::uint32_t{item.first_sequence} + item.sequence_count; }
 
 bool has_sound_movements(const mapped_item& item) {
   if (item.first_nav_sequence.has_value() != item.last_nav_sequence.has_value())
     return false;
   return !item.first_nav_sequence ||
          (*item.first_nav_sequence >= item.first_sequence && *item.first_nav_sequence <= *item.last_nav_sequence &&
-          *item.last_nav_sequence < behind(item));
+          *item.last_nav_sequence < end_of(item));
 }
 
 } // namespace
@@ -31,9 +31,9 @@ bool is_sound(const plan_map& map) {
     const auto& item = map.items[i];
     if (i > 0 && item.item_index <= map.items[i - 1].item_index)
       return false;
-    if (item.first_sequence < free_from || behind(item) > end || !has_sound_movements(item))
+    if (item.first_sequence < free_from || end_of(item) > end || !has_sound_movements(item))
       return false;
-    free_from = behind(item);
+    free_from = end_of(item);
   }
   if (map.items_before > map.items.size() || (map.enters_at && !has_sequence(map, *map.enters_at)))
     return false;
@@ -56,7 +56,7 @@ std::optional<std::uint16_t> last_movement(const plan_map& map) {
 
 std::optional<std::uint32_t> position_at(const plan_map& map, std::uint16_t sequence) {
   const auto found = std::partition_point(map.items.begin(), map.items.end(),
-                                          [&](const mapped_item& each) { return behind(each) <= sequence; });
+                                          [&](const mapped_item& each) { return end_of(each) <= sequence; });
   if (found == map.items.end() || found->first_sequence > sequence)
     return std::nullopt;
   return static_cast<std::uint32_t>(found - map.items.begin());
@@ -64,7 +64,7 @@ std::optional<std::uint32_t> position_at(const plan_map& map, std::uint16_t sequ
 
 std::uint16_t done_sequence(const mapped_item& item) {
   GODWIT_ASSERT(item.sequence_count > 0, "an item without vehicle items is not done at a sequence");
-  return item.last_nav_sequence.value_or(static_cast<std::uint16_t>(behind(item) - 1));
+  return item.last_nav_sequence.value_or(static_cast<std::uint16_t>(end_of(item) - 1));
 }
 
 bool is_passed(const mapped_item& item, std::uint16_t sequence) {

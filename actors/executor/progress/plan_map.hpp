@@ -107,7 +107,7 @@ inline constexpr std::uint16_t no_sequence = 65535;
 // is on the vehicle. Vehicle items that belong to no item of the mission are allowed.
 [[nodiscard]] bool is_sound(const plan_map& map);
 
-// One behind the last sequence.
+// One after the last sequence.
 [[nodiscard]] std::uint16_t end_sequence(const plan_map& map);
 [[nodiscard]] bool has_sequence(const plan_map& map, std::uint16_t sequence);
 
@@ -120,7 +120,7 @@ inline constexpr std::uint16_t no_sequence = 65535;
 // The sequence with which ITEM is done: its last one that moves the vehicle, or its last one. It has at least one.
 [[nodiscard]] std::uint16_t done_sequence(const mapped_item& item);
 
-// A vehicle that is at SEQUENCE has ITEM behind it.
+// A vehicle that is at SEQUENCE has passed ITEM.
 [[nodiscard]] bool is_passed(const mapped_item& item, std::uint16_t sequence);
 
 // A vehicle that begins at START is first seen there, or at the first item after it that moves it: what stands before

@@ -86,7 +86,7 @@ struct generation_state {
   std::int64_t waiting_since_ns = 0;
   // Where the plan has loops: the vehicle was last heard no longer than a part of a round after this.
   std::int64_t heard_ns = 0;
-  // A vehicle with plan ids (PX4) repeats the last MISSION_ITEM_REACHED, and goes on with that behind a start which
+  // A vehicle with plan ids (PX4) repeats the last MISSION_ITEM_REACHED, and goes on with that after a start which
   // changes nothing for it: this one is no news until another one was told.
   std::optional<std::uint16_t> stale_reached;
   std::vector<std::uint16_t> never_near;         // places that the track contradicts: their items were not reached

@@ -6,7 +6,7 @@
 //
 // PX4 and ArduPilot take items in order, whether or not the request for an item has come back. So a request for k says
 // that all before k has been taken, as an acknowledgement in TCP does; a lost request costs nothing when a later one
-// arrives. An item that was lost makes the vehicle drop all that come behind it (PX4 silently, ArduPilot with
+// arrives. An item that was lost makes the vehicle drop all that come after it (PX4 silently, ArduPilot with
 // INVALID_SEQUENCE for each), and no request goes beyond it. That shows as silence: item k is overdue when no request
 // has come for a usual round trip since it was sent, nor since the last progress for longer than requests usually lie
 // apart. Then all from k on is sent again, in a window that fits the measured loss and is at least the item that is

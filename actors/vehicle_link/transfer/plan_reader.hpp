@@ -7,7 +7,7 @@
 //      └──silence longer than the vehicle's patience──> silent   (reading too)
 //
 // Items are asked for in a window: one for most vehicles; many at once for ArduPilot, which serves any item at any
-// time. What does not come within a usual round trip is asked for again, each item on its own: what came behind a gap
+// time. What does not come within a usual round trip is asked for again, each item on its own: what came after a gap
 // is kept. When no item comes at all the vehicle may have closed the transfer (a late MISSION_ACK of the one before
 // does that), and it begins again. A refusal is believed when nothing else follows it for a round trip, since it may be
 // a late one of an earlier transfer. A vehicle that is busy (ERROR, DENIED) is asked again for as long as its patience,

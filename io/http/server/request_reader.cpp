@@ -41,7 +41,7 @@ struct request_reader::state {
   const server_settings& set;
   const body_limit& limit;
   incremental_parser<true> reading;
-  server_request made; // its head as it came before the body: what stands behind a chunked body is not looked at
+  server_request made; // its head as it came before the body: what stands after a chunked body is not looked at
   request_refusal refused;
   std::size_t max_body = 0;
   std::size_t head_bytes = 0; // read of it so far

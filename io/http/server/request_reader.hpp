@@ -57,7 +57,7 @@ public:
   [[nodiscard]] bool has_begun() const; // something of a request has come
   [[nodiscard]] bool has_head() const;  // and its head is complete
   [[nodiscard]] std::size_t body_bytes() const;
-  [[nodiscard]] std::string_view unread() const; // what lies behind the request
+  [[nodiscard]] std::string_view unread() const; // what lies after the request
   // Once for each request: the other side waits for "100 Continue" before it sends the body.
   [[nodiscard]] bool take_continue();
 

@@ -1,4 +1,4 @@
-// One WebSocket, behind a request for it: texts to the client, one at a time, and what the client says.
+// One WebSocket, after a request for it: texts to the client, one at a time, and what the client says.
 //
 //   if (!is_websocket_request(asked)) ...                             426, or another answer
 //   auto line = std::make_shared<websocket>(io, settings, hooks);

@@ -22,7 +22,7 @@ namespace godwit::io::mavlink {
 //
 //   life 1   used ........|  reserved on the disk  |          a crash: how much of it was used is not known
 //                                                  |
-//   life 2                                         |used ...  so the next life begins behind all of it
+//   life 2                                         |used ...  so the next life begins after all of it
 //
 // Receivers drop a frame whose timestamp is not above the last one of its stream, so a value that comes twice is a
 // frame lost, and a clock that was set back must not take ours along. So a timestamp is the wall clock or one more than

@@ -138,7 +138,7 @@ bool tlog_reader::is_signature_cut(byte_view frame, const looked_at& found) cons
          record_begins_in(frame, found.size - signature_size, found.size);
 }
 
-// What stands behind a frame that can not be verified: another record, or the end, perhaps in the middle of a time.
+// What stands after a frame that can not be verified: another record, or the end, perhaps in the middle of a time.
 bool tlog_reader::leads_on(byte_view rest) const {
   return rest.size() <= tlog_time_size || (is_likely_time(rest) && is_magic(rest[tlog_time_size]));
 }

@@ -10,7 +10,7 @@
 //
 // No right frame is lost by a broken one before it: the search goes byte by byte, begins where the broken record
 // begins, and finds frames that stand in the middle of one too (a program that logs what it sends may put several
-// frames behind one time). Those are given with the time of the record in which they stand. Two cases take more than a
+// frames after one time). Those are given with the time of the record in which they stand. Two cases take more than a
 // checksum:
 //
 //   unknown id   its checksum can not be verified. It is given, marked as not verified, if its length leads to another

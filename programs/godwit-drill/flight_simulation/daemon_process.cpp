@@ -59,7 +59,7 @@ struct daemon_process::parts {
     meets.on_phase_status = [this](const executor::phase_status& now) { outside.on_phase_status(now); };
   }
 
-  // As composition::open() does it: what may fail before the actors, the links behind them.
+  // As composition::open() does it: what may fail before the actors, the links after them.
   void open_ports() {
     map_port->attach(std::shared_ptr<mapobjects_store::map_access>(map),
                      [this] { world.tell(base.store, mapobjects_store::wake{}); });

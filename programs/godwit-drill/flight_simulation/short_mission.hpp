@@ -21,7 +21,7 @@ namespace godwit::drill {
 // Take-off, a waypoint, a landing on the way; and after it take-off, a waypoint and home.
 [[nodiscard]] mission::document with_landing_on_the_way();
 inline constexpr double plane_goes_farther = 5;
-// What ends a mission on the ground at home: a return; of a plane, which would circle there for ever, a landing. Behind
+// What ends a mission on the ground at home: a return; of a plane, which would circle there for ever, a landing. After
 // a place that is not too near.
 [[nodiscard]] mission::item way_home(sim::personality who, const std::string& id = "home");
 

@@ -33,7 +33,7 @@ public:
   void fail(const io::sqlite::fault_plan& how);
   void mend();
   [[nodiscard]] bool has_failed() const; // since fail()
-  // Behind the end of a process: what was written and never synced is there or not, drawn by SEED for each write.
+  // After the end of a process: what was written and never synced is there or not, drawn by SEED for each write.
   void lose_power(std::uint64_t seed);
 
 private:

@@ -191,7 +191,7 @@ flight_case killed_at_moment(sim::personality who, std::uint64_t seed, double fl
           }};
 }
 
-// The guard keeps the process from beginning behind a hundred ends on the ground; then a person takes its file away.
+// The guard keeps the process from beginning after a hundred ends on the ground; then a person takes its file away.
 std::string storm(watched_flight& watched) {
   auto& flight = watched.flight();
   const auto end_ns = flight.now_ns() + static_cast<std::int64_t>(storm_s * 1e9);

@@ -176,7 +176,7 @@ std::vector<flight_case> disk_cases(vehicles which, std::span<const std::uint64_
 // The journal is a real file of SQLite, whose disk fails at a write of a mission: each write or each sync of the file
 // gives an error for 10 s, or there is no room; a write is done by half, or a sync fails, and then the power is lost.
 //
-// Behind a loss of power each write that was never synced is there or not, as the seed draws it. What was acknowledged
+// After a loss of power each write that was never synced is there or not, as the seed draws it. What was acknowledged
 // has to be found again by the next process, whatever became of the rest.
 
 namespace {

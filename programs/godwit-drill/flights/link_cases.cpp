@@ -51,7 +51,7 @@ disturbed_flight cut_flight(sim::personality who, phase part, named_link which, 
 
 // -- the autopilot starts again ---------------------------------------------------------------------
 
-// Behind it nothing is commanded to a vehicle that was under way, until a person says so.
+// After it nothing is commanded to a vehicle that was under way, until a person says so.
 std::string reboot(watched_flight& watched) {
   constexpr double seen_within_s = 20; // it is silent for some seconds
   constexpr double left_alone_s = 10;

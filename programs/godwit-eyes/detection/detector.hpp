@@ -67,7 +67,7 @@ struct candidate {
 // Why a picture says nothing about what moves. Each is said as a sentence by `sentence_of`.
 enum class unusable {
   none,
-  starting,  // the first pictures, and those behind a gap or a change of size
+  starting,  // the first pictures, and those after a gap or a change of size
   bad_frame, // size, stride or pointer can not be
   bad_pose,  // not a number, no quaternion, older than a second
   repeated,  // the same picture as before

@@ -50,7 +50,7 @@ public:
   // A frame that is to be overtaken waits longer than the next frames of a transfer take to come, and not as long as
   // autopilots wait before they ask again.
   static constexpr std::int64_t reorder_hold_ns = 50'000'000;
-  // A late frame comes behind the next heartbeat: a radio that was blocked has kept it.
+  // A late frame comes after the next heartbeat: a radio that was blocked has kept it.
   static constexpr std::int64_t late_hold_ns = 1'500'000'000;
 
   faulty_line(std::uint64_t seed, receiver deliver) : random_(seed), deliver_(std::move(deliver)) {}

@@ -44,7 +44,7 @@ namespace {
 
 constexpr unsigned ok = 200;
 
-// Behind the first { of the body. An error may have any form, so only successes are touched.
+// After the first { of the body. An error may have any form, so only successes are touched.
 void put_property(delivery& to, std::string_view property) {
   auto& body = to.what.body;
   if (to.what.status != ok || body.empty() || body.front() != '{')

@@ -105,8 +105,9 @@ std::vector<mission::document_problem> note_items(service_file& file, const std:
 
 tl::expected<mission::document, change_error> changed_mission(const mission::document& old,
                                                               const std::optional<std::string>& after,
-                                                              const std::vector<mission::item>& new_items, behind rest,
-                                                              const std::string& pointer, bool is_list) {
+                                                              const std::vector<mission::item>& new_items,
+                                                              rest_of_items rest, const std::string& pointer,
+                                                              bool is_list) {
   auto place = old.items.begin();
   if (after) {
     place = std::ranges::find(old.items, *after, mission::id_of);
@@ -117,12 +118,12 @@ tl::expected<mission::document, change_error> changed_mission(const mission::doc
   mission::document changed = old;
   changed.items.assign(old.items.begin(), place);
   changed.items.insert(changed.items.end(), new_items.begin(), new_items.end());
-  if (rest == behind::keep)
+  if (rest == rest_of_items::keep)
     changed.items.insert(changed.items.end(), place, old.items.end());
 
   std::set<std::string_view> kept;
   for (auto each = old.items.begin(); each != old.items.end(); ++each)
-    if (rest == behind::keep || each < place)
+    if (rest == rest_of_items::keep || each < place)
       kept.insert(mission::id_of(*each));
   std::vector<mission::document_problem> problems;
   for (std::size_t i = 0; i < new_items.size(); ++i)

@@ -53,9 +53,9 @@ void set_last_report(service_file& file, const std::string& mission_id, std::int
 //
 // Errors: none of them changes anything; `missing` is the id that the change goes by and the mission does not have, the
 // places are in the list of new items. Thread: pure.
-enum class behind {
-  keep,   // what comes behind the new items stays
-  replace // nothing comes behind them
+enum class rest_of_items {
+  keep,   // what comes after the new items stays
+  replace // nothing comes after them
 };
 
 struct missing_item {
@@ -65,11 +65,10 @@ using change_error = std::variant<missing_item, std::vector<mission::document_pr
 
 // NEW_ITEMS after the item AFTER of OLD (none: in front of all). POINTER: where the new items stand in the request;
 // with IS_LIST after an index. The revision is that of OLD.
-[[nodiscard]] tl::expected<mission::document, change_error> changed_mission(const mission::document& old,
-                                                                            const std::optional<std::string>& after,
-                                                                            const std::vector<mission::item>& new_items,
-                                                                            behind rest, const std::string& pointer,
-                                                                            bool is_list = true);
+[[nodiscard]] tl::expected<mission::document, change_error>
+changed_mission(const mission::document& old, const std::optional<std::string>& after,
+                const std::vector<mission::item>& new_items, rest_of_items rest, const std::string& pointer,
+                bool is_list = true);
 
 // What the map has, page by page: the objects and what is ignored, as they were when the first page was asked for.
 //

@@ -12,7 +12,7 @@ namespace {
 
 using mission::in_quotes;
 
-// Behind /missions/{mission_id}; * is the id of an assignment.
+// After /missions/{mission_id}; * is the id of an assignment.
 struct path_row {
   std::string_view method;
   std::string_view rest;

@@ -46,7 +46,7 @@ answer refusal(const change_error& error) {
 
 // How an insert differs from a tail.
 struct change_form {
-  behind rest;
+  rest_of_items rest;
   std::string pointer;
   bool is_list;
 };
@@ -112,13 +112,13 @@ answer remove_mission(service_file& file, const call& at) {
 
 answer post_waypoint(service_file& file, const call& at) {
   return post_once<mission::waypoint_insert>(file, at, [&](const mission::waypoint_insert& body) {
-    return change_mission(file, at, body, {body.waypoint}, {behind::keep, "/waypoint", false});
+    return change_mission(file, at, body, {body.waypoint}, {rest_of_items::keep, "/waypoint", false});
   });
 }
 
 answer post_tail(service_file& file, const call& at) {
   return post_once<mission::tail>(file, at, [&](const mission::tail& body) {
-    return change_mission(file, at, body, body.items, {behind::replace, "/items", true});
+    return change_mission(file, at, body, body.items, {rest_of_items::replace, "/items", true});
   });
 }
 
@@ -129,7 +129,7 @@ std::optional<mission::document> taken_over(service_file& file, const call& at, 
   if (assignment.base_revision != at.mission.revision)
     return std::nullopt;
   auto changed = changed_mission(stored_mission(file, at.to.mission_id), assignment.replace_after_item_id,
-                                 assignment.items, behind::replace, "/items");
+                                 assignment.items, rest_of_items::replace, "/items");
   if (!changed)
     return std::nullopt;
   changed->revision = assignment.revision;

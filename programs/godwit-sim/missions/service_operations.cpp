@@ -67,7 +67,7 @@ tl::expected<mission::assignment, std::string> filled_in(const mission_row& of, 
 done put_assignment(service_file& file, const mission_row& of, const mission::assignment& made) {
   if (made.base_revision == of.revision) {
     const auto fits = changed_mission(stored_mission(file, of.mission_id), made.replace_after_item_id, made.items,
-                                      behind::replace, "/items");
+                                      rest_of_items::replace, "/items");
     if (!fits)
       return tl::unexpected(sentence_of(fits.error()));
   }

@@ -1,6 +1,6 @@
 // When a process that goes on without its executor may end, so that the next one begins with one.
 //
-// In flight nobody ends it a second time: link and failsafe go on. Behind the landing nobody is there to count it and
+// In flight nobody ends it a second time: link and failsafe go on. After the landing nobody is there to count it and
 // to revive the others, but the heartbeats still say that the vehicle stands disarmed. Pure: time comes in as monotonic
 // nanoseconds. Source: HEARTBEAT (0), base_mode.
 #pragma once

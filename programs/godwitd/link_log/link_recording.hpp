@@ -35,7 +35,7 @@ struct link_chunk {
   std::size_t size_bytes = 0;
 };
 
-// The bytes of all chunks stand one behind the other.
+// The bytes of all chunks stand one after the other.
 struct link_batch {
   std::vector<link_chunk> chunks;
   std::vector<std::byte> bytes;

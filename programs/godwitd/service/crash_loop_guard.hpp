@@ -43,7 +43,7 @@ class crash_loop_guard {
 public:
   // In flight: after so many abnormal ends a run is reduced.
   static constexpr std::size_t max_whole_in_flight = 10;
-  // Behind one fast end there is no other one for so long.
+  // After one fast end there is no other one for so long.
   static constexpr std::chrono::minutes fast_end_counts{10};
 
   crash_loop_guard(std::string file, start_limits limits) : file_(std::move(file)), limits_(limits) {}

@@ -118,7 +118,7 @@ void feeder::note_point(const std::string& id, const scan_controller::candidate_
     pictures_->belongs(id, answer.point);
 }
 
-// It comes, or comes back, a few seconds behind the start of a flight or of godwitd.
+// It comes, or comes back, a few seconds after the start of a flight or of godwitd.
 void feeder::put_aside(const scan_controller::candidate& untaken) {
   if (untaken.is_known)
     return;

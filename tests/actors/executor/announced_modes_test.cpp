@@ -22,7 +22,7 @@ TEST(announced_modes, of_a_resume_are_those_of_the_mission) {
   EXPECT_EQ(announced_modes(task_kind::resume, {guard{}, start_plan{1}}, 0, px4), flight::modes_of_start(px4));
 }
 
-TEST(announced_modes, of_a_replan_are_those_behind_its_guard) {
+TEST(announced_modes, of_a_replan_are_those_after_its_guard) {
   const steps way{change_mode{mode_kind::hold}, upload_plan{}, guard{}, change_mode{mode_kind::mission}};
   EXPECT_EQ(announced_modes(task_kind::deploy, way, 2, px4), mission_modes());
   EXPECT_TRUE(announced_modes(task_kind::deploy, {upload_plan{}, guard{}}, 1, px4).empty()) << "it stays held";

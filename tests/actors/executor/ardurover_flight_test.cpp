@@ -1,4 +1,4 @@
-// Whole missions of an ArduPilot rover, which stays armed in its mission mode behind its last item.
+// Whole missions of an ArduPilot rover, which stays armed in its mission mode after its last item.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ constexpr std::uint32_t hold = 4;
 constexpr std::uint32_t automatic = 10;
 constexpr std::uint32_t manual = 0;
 
-mission::assignment tail_behind_w3() {
+mission::assignment tail_after_w3() {
   mission::assignment result;
   result.assignment_id = "11111111-2222-4333-8444-100000000001";
   result.base_revision = 1;
@@ -34,7 +34,7 @@ mission::assignment tail_behind_w3() {
 // Seen as armed in its mission mode, so long after the mission is over.
 bool is_left_in_mission(const flight_world& world) { return world.heard_mode() == automatic; }
 
-TEST(ardurover_flight, behind_its_mission_it_is_told_to_hold_and_stays_armed) {
+TEST(ardurover_flight, after_its_mission_it_is_told_to_hold_and_stays_armed) {
   flight_world world({.who = rover});
   world.load(tests::short_mission(rover));
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
@@ -62,12 +62,12 @@ TEST(ardurover_flight, who_has_taken_it_at_the_end_of_its_mission_is_left_alone)
   EXPECT_EQ(world.stand_bys(), stand_bys) << world.story();
 }
 
-TEST(ardurover_flight, an_assignment_right_behind_its_last_item_is_driven_or_refused_with_the_reason) {
+TEST(ardurover_flight, an_assignment_right_after_its_last_item_is_driven_or_refused_with_the_reason) {
   for (const double late_s : {0.0, 0.1, 0.5, 2.0}) {
     flight_world world({.who = rover, .speed = 2});
     ASSERT_TRUE(fly_to(world, tests::short_mission(rover), progress_kind::reached, "w3"));
     world.run_for(late_s);
-    world.assign(tail_behind_w3());
+    world.assign(tail_after_w3());
     ASSERT_TRUE(world.run_until([&] { return !world.answers().empty(); }, 30)) << world.story();
     const auto& answer = world.answers().front().response;
     world.run_for(60);

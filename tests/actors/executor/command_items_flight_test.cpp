@@ -51,8 +51,8 @@ TEST(command_items_flight, a_survey_with_its_camera_is_flown_and_its_acts_are_pa
 TEST(command_items_flight, the_rounds_of_a_jump_are_flown_and_each_is_reported_once) {
   for (const auto& row : vehicles) {
     flight_world world({.who = row.who});
-    const auto behind_w3 = sim::drives(row.who) ? 3U : 4U;
-    auto mission = mission_with(row.who, behind_w3, {mission::jump{"again", "w1", 2}});
+    const auto after_w3 = sim::drives(row.who) ? 3U : 4U;
+    auto mission = mission_with(row.who, after_w3, {mission::jump{"again", "w1", 2}});
     if (sim::drives(row.who))
       mission.items.push_back(tests::place(row.who, "end", -20, 20));
     world.load(mission);
@@ -66,7 +66,7 @@ TEST(command_items_flight, the_rounds_of_a_jump_are_flown_and_each_is_reported_o
         },
         1500);
     ASSERT_TRUE(is_done) << io::name_of(row.who) << world.story();
-    const auto w2 = static_cast<int>(behind_w3) - 2 + (row.who == personality::px4 ? 0 : 1);
+    const auto w2 = static_cast<int>(after_w3) - 2 + (row.who == personality::px4 ? 0 : 1);
     EXPECT_EQ(std::ranges::count(flown, w2), 3) << io::name_of(row.who) << " flies it three times\n" << world.story();
     EXPECT_TRUE(tells_the_truth(world, mission, {{"again", progress_kind::passed}})) << io::name_of(row.who);
     for (const auto* id : {"w1", "w2", "w3"})
@@ -96,8 +96,8 @@ TEST(command_items_flight, a_guarded_command_is_not_brought_to_the_vehicle) {
   EXPECT_TRUE(world.vehicle().mission_items().size() <= 1) << world.story();
 }
 
-// Another approach, for a failure: behind a landing without a take-off.
-TEST(command_items_flight, what_lies_behind_a_landing_is_kept_and_not_flown) {
+// Another approach, for a failure: after a landing without a take-off.
+TEST(command_items_flight, what_lies_after_a_landing_is_kept_and_not_flown) {
   for (const auto& row : vehicles) {
     if (sim::drives(row.who))
       continue;
@@ -111,7 +111,7 @@ TEST(command_items_flight, what_lies_behind_a_landing_is_kept_and_not_flown) {
     mission.items.push_back(tests::place(row.who, "other", -60, 0));
     world.load(mission);
     if (row.who == personality::px4) {
-      EXPECT_FALSE(world.run_until_phase(phase::flying, 20)) << "nobody has seen what it does behind a landing";
+      EXPECT_FALSE(world.run_until_phase(phase::flying, 20)) << "nobody has seen what it does after a landing";
       continue;
     }
     ASSERT_TRUE(world.run_until_phase(phase::done, 1200)) << io::name_of(row.who) << world.story();
@@ -139,8 +139,8 @@ TEST(command_items_flight, a_rest_repeats_what_was_set_and_begins_the_line_anew)
     flight_world world({.who = row.who});
     const auto first = sim::drives(row.who) ? 0U : 1U;
     auto mission = mission_with(row.who, first, {act("slow", 178, 1, 4, -1)});
-    mission.items.insert(mission.items.begin() + first + 2, act("on", 206, 5, 0, 1));  // behind w1
-    mission.items.insert(mission.items.begin() + first + 4, act("off", 206, 0, 0, 1)); // behind w2
+    mission.items.insert(mission.items.begin() + first + 2, act("on", 206, 5, 0, 1));  // after w1
+    mission.items.insert(mission.items.begin() + first + 4, act("off", 206, 0, 0, 1)); // after w2
     ASSERT_TRUE(tests::fly_to(world, mission, progress_kind::started, "w2")) << io::name_of(row.who);
     world.run_for(1);
     ASSERT_TRUE(world.say(go_to_beside(row.who)).is_taken) << world.story();

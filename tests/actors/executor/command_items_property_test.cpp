@@ -94,7 +94,7 @@ private:
   int number(int from, int to) { return std::uniform_int_distribution<int>(from, to)(random_); }
   double seconds(double from, double to) { return std::uniform_real_distribution<double>(from, to)(random_); }
 
-  // Behind the take-off, and before the return.
+  // After the take-off, and before the return.
   mission::document with_sample() {
     const auto plain = tests::short_mission(vehicle_.who);
     const auto last = static_cast<int>(plain.items.size()) - (sim::drives(vehicle_.who) ? 0 : 1);

@@ -103,7 +103,7 @@ inline command_item sample_of(const mission::command_row& row, personality who) 
   return item;
 }
 
-// It neither ends nor begins a flight, and somebody goes on behind it.
+// It neither ends nor begins a flight, and somebody goes on after it.
 inline bool is_flown_on_from(const mission::command_row& row) {
   constexpr std::uint16_t ends[] = {17, 20, 21, 22, 84, 85};
   const bool is_kind = row.kind == command_class::moves || row.kind == command_class::acts ||

@@ -31,7 +31,7 @@ TEST(failsafe_words, before_the_mode_call_it_the_autopilots_and_nothing_is_sent)
   EXPECT_EQ(world.orders(), orders) << world.story();
 }
 
-TEST(failsafe_words, behind_the_mode_call_it_the_autopilots_too) {
+TEST(failsafe_words, after_the_mode_call_it_the_autopilots_too) {
   flight_world world({.who = personality::ardupilot});
   fly(world);
   const auto orders = world.orders();
@@ -45,7 +45,7 @@ TEST(failsafe_words, behind_the_mode_call_it_the_autopilots_too) {
   EXPECT_FALSE(world.say(command_kind::resume).is_taken) << "it still has to be handed back";
 }
 
-TEST(failsafe_words, long_before_or_behind_the_mode_leave_it_a_persons) {
+TEST(failsafe_words, long_before_or_after_the_mode_leave_it_a_persons) {
   flight_world world({.who = personality::ardupilot, .speed = 1});
   fly(world);
   world.vehicle_says("GCS Failsafe");

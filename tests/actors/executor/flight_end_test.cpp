@@ -14,8 +14,8 @@ using tests::flight_world;
 using tests::is_told;
 
 class flight_end : public testing::TestWithParam<sim::personality> {};
-class landing_end : public flight_end {};       // of what flies
-class end_behind_return : public flight_end {}; // of what does not circle there for ever
+class landing_end : public flight_end {};      // of what flies
+class end_after_return : public flight_end {}; // of what does not circle there for ever
 
 // Take-off, one waypoint, landing there.
 mission::document with_landing() {
@@ -72,7 +72,7 @@ TEST_P(landing_end, on_the_way_home_that_the_plan_leads_the_failsafe_still_acts)
   EXPECT_TRUE(world.run_until([&] { return !world.reactions().empty(); }, 15)) << world.story();
 }
 
-TEST_P(end_behind_return, killed_after_it_was_called_home_it_sees_nobodys_takeover) {
+TEST_P(end_after_return, killed_after_it_was_called_home_it_sees_nobodys_takeover) {
   flight_world world({.who = GetParam()});
   world.load(tests::short_mission(GetParam()));
   ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "w1"); }, 600)) << world.story();
@@ -164,7 +164,7 @@ TEST_P(flight_end, what_was_armed_for_a_start_that_failed_is_disarmed_again) {
 // -- the mission before ---------------------------------------------------------------------------------
 
 // Whoever begins anew asks the service for the mission in its settings, and is told it, whatever was flown since.
-TEST_P(flight_end, a_done_mission_is_not_prepared_again_when_the_service_tells_it_behind_another_one) {
+TEST_P(flight_end, a_done_mission_is_not_prepared_again_when_the_service_tells_it_after_another_one) {
   flight_world world({.who = GetParam(), .start = start_policy::on_command});
   const auto first = tests::short_mission(GetParam());
   auto second = first;
@@ -184,7 +184,7 @@ TEST_P(flight_end, a_done_mission_is_not_prepared_again_when_the_service_tells_i
   EXPECT_EQ(world.orders(), orders) << world.story();
 }
 
-TEST_P(flight_end, a_newer_revision_of_a_mission_that_was_done_is_prepared_behind_another_one) {
+TEST_P(flight_end, a_newer_revision_of_a_mission_that_was_done_is_prepared_after_another_one) {
   flight_world world({.who = GetParam()});
   const auto first = tests::short_mission(GetParam());
   auto second = first;
@@ -238,7 +238,7 @@ TEST_P(flight_end, a_change_that_waits_over_a_kill_waits_for_the_vehicles_home_t
 }
 
 INSTANTIATE_TEST_SUITE_P(each, landing_end, testing::Values(sim::personality::px4, sim::personality::ardupilot));
-INSTANTIATE_TEST_SUITE_P(each, end_behind_return,
+INSTANTIATE_TEST_SUITE_P(each, end_after_return,
                          testing::Values(sim::personality::px4, sim::personality::ardupilot, sim::personality::rover));
 INSTANTIATE_TEST_SUITE_P(each, flight_end,
                          testing::Values(sim::personality::px4, sim::personality::ardupilot, sim::personality::rover,

@@ -18,7 +18,7 @@ using tests::is_told;
 using tests::pilot_mode;
 
 class every_vehicle : public testing::TestWithParam<sim::personality> {};
-class who_need_not_circle : public every_vehicle {}; // and comes down, or stops, behind a return
+class who_need_not_circle : public every_vehicle {}; // and comes down, or stops, after a return
 
 TEST_P(every_vehicle, flies_a_mission_from_the_fetch_to_the_delivery) {
   flight_world world({.who = GetParam()});
@@ -35,7 +35,7 @@ TEST_P(every_vehicle, flies_a_mission_from_the_fetch_to_the_delivery) {
   EXPECT_EQ(reached.size(), mission.items.size()) << world.story();
 }
 
-TEST_P(every_vehicle, another_mission_is_flown_behind_the_first_and_counts_its_own_reports) {
+TEST_P(every_vehicle, another_mission_is_flown_after_the_first_and_counts_its_own_reports) {
   flight_world world({.who = GetParam()});
   world.load(tests::short_mission(GetParam()));
   ASSERT_TRUE(world.run_until_phase(phase::done)) << world.story();
@@ -394,7 +394,7 @@ TEST_P(every_vehicle, z_assigned_after_b_was_reached_is_told_apart_by_the_report
 }
 
 // A rover's mission is over where it ends; what flies waits there.
-TEST_P(every_vehicle, z_assigned_behind_b_the_last_item_is_flown) {
+TEST_P(every_vehicle, z_assigned_after_b_the_last_item_is_flown) {
   if (GetParam() == sim::personality::rover)
     return;
   flight_world world({.who = GetParam()});
@@ -529,7 +529,7 @@ TEST_P(every_vehicle, without_a_service_an_operator_sends_it_elsewhere_all_the_s
   EXPECT_TRUE(is_told(world, progress_kind::reached, "w3")) << world.story();
 }
 
-TEST_P(every_vehicle, a_waypoint_is_inserted_and_the_mission_goes_on_behind_it) {
+TEST_P(every_vehicle, a_waypoint_is_inserted_and_the_mission_goes_on_after_it) {
   flight_world world({.who = GetParam()});
   world.load(tests::short_mission(GetParam()));
   ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "w1"); }, 600)) << world.story();

@@ -39,7 +39,7 @@ TEST_P(flight_vehicle, is_kept_from_the_start_to_the_end_of_the_mission) {
   EXPECT_FALSE(world.kept_vehicle()) << world.story();
 }
 
-TEST_P(flight_vehicle, behind_a_kill_is_waited_for_and_nothing_goes_to_another_one) {
+TEST_P(flight_vehicle, after_a_kill_is_waited_for_and_nothing_goes_to_another_one) {
   ASSERT_NO_FATAL_FAILURE(fly());
   world.silence_vehicle(true);
   world.crash_all();

@@ -311,7 +311,7 @@ void flight_world::take(const failsafe::effects& wanted) {
     std::visit([this](const auto& what) { take(what); }, each);
 }
 
-// Behind the failsafe_status that says whose it is, as the actor does it.
+// After the failsafe_status that says whose it is, as the actor does it.
 void flight_world::take(const failsafe::command_vehicle& each) {
   core_->on_failsafe_status(failsafe_->told());
   reactions_.push_back(each);

@@ -91,7 +91,7 @@ TEST_P(home_moved, a_failsafes_return_leads_to_the_home_of_the_mission_by_a_plan
   EXPECT_LT(away_m(), at_home_m) << world.story();
 }
 
-TEST_P(home_moved, the_home_of_the_arming_is_known_behind_a_kill_of_the_process) {
+TEST_P(home_moved, the_home_of_the_arming_is_known_after_a_kill_of_the_process) {
   ASSERT_NO_FATAL_FAILURE(move_home());
   world.crash_all();
   ASSERT_NO_FATAL_FAILURE(be_told());

@@ -1,4 +1,4 @@
-// A PX4 takes any plan, and finds out behind that whether it can be flown. What godwit makes of one that it can not.
+// A PX4 takes any plan, and finds out after that whether it can be flown. What godwit makes of one that it can not.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -140,7 +140,7 @@ TEST(infeasible_plan, is_not_what_a_vehicle_holds_that_has_started_again_and_has
 }
 
 // The vehicle flies what is brought to it, and holds by itself where it can not.
-TEST(infeasible_plan, of_an_assignment_is_rejected_with_the_reason_and_the_mission_goes_on_behind_a_word) {
+TEST(infeasible_plan, of_an_assignment_is_rejected_with_the_reason_and_the_mission_goes_on_after_a_word) {
   flight_world world({.who = px4});
   ASSERT_TRUE(fly_to(world, tests::short_mission(px4), progress_kind::started, "w2"));
   world.run_for(1);

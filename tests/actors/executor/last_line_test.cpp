@@ -1,4 +1,4 @@
-// The fences and rally points of a mission go to the vehicle as well: on the ground, behind the plan and before the
+// The fences and rally points of a mission go to the vehicle as well: on the ground, after the plan and before the
 // start, in the way of nothing.
 #include "actors/domain/mission/convert/item_list_import.hpp"
 #include "tests/actors/executor/station_plans.hpp"

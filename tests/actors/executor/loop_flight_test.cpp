@@ -1,4 +1,4 @@
-// Whole flights with a loop of three rounds that somebody interrupts: go-to, kills, other items behind it. The rounds
+// Whole flights with a loop of three rounds that somebody interrupts: go-to, kills, other items after it. The rounds
 // that are flown are the rounds that the mission asks for, and each is reported once.
 #include <cmath>
 #include <random>

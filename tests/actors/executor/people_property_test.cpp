@@ -28,7 +28,7 @@ constexpr double step_s = 0.05;
 constexpr double reached_within_m = 10;
 constexpr double plane_reached_within_m = 50;
 constexpr double home_within_m = 20;
-constexpr double plane_home_within_m = 150;              // behind its run along the runway
+constexpr double plane_home_within_m = 150;              // after its run along the runway
 constexpr std::int64_t report_takes_ns = 12'000'000'000; // over a line that was silent
 constexpr int most_deeds = 14;
 constexpr std::int64_t order_counts_ns = flight::order_is_expected_ns + 1'000'000'000;
@@ -181,7 +181,7 @@ private:
     }
   }
 
-  // PX4 goes into the mode by itself behind a plan.
+  // PX4 goes into the mode by itself after a plan.
   [[nodiscard]] bool is_near_plan_end() const {
     const auto& s = world_.durable();
     return s.progress.plan && (s.progress.plan->generation.is_finished || progress::is_at_last_movement(s.progress) ||

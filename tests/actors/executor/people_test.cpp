@@ -40,7 +40,7 @@ mission::document open_ended(personality who) {
   return result;
 }
 
-mission::assignment tail_behind(const std::string& item, personality who) {
+mission::assignment tail_after(const std::string& item, personality who) {
   mission::assignment result;
   result.assignment_id = "11111111-2222-4333-8444-100000000001";
   result.base_revision = 1;
@@ -73,7 +73,7 @@ TEST_P(people, on_the_way_to_the_last_item_a_pilot_is_seen_and_nothing_is_sent) 
       ASSERT_TRUE(world.run_until([&] { return world.durable().status.cause == pause_cause::taken_over; }, 6))
           << world.story();
       const auto orders = world.orders();
-      world.assign(tail_behind("w2", GetParam()));
+      world.assign(tail_after("w2", GetParam()));
       world.vehicle().set_battery(3, world.now_ns());
       world.run_for(20);
       EXPECT_EQ(world.orders(), orders) << world.story();
@@ -108,7 +108,7 @@ TEST_P(people_at_a_px4, an_assignment_in_the_return_that_has_the_same_places_is_
   ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::reached, "w3"));
   for (int revision = 2; revision <= 4; ++revision) {
     world.run_for(3);
-    auto again = tail_behind("w2", GetParam());
+    auto again = tail_after("w2", GetParam());
     again.assignment_id.back() = static_cast<char>('0' + revision);
     again.base_revision = revision - 1;
     again.revision = revision;
@@ -124,7 +124,7 @@ TEST_P(people_at_a_px4, an_assignment_in_the_return_that_has_the_same_places_is_
   EXPECT_TRUE(is_complete(world)) << world.story();
 }
 
-TEST_P(people_at_a_px4, a_return_of_the_mission_that_was_paused_goes_on_also_behind_a_kill) {
+TEST_P(people_at_a_px4, a_return_of_the_mission_that_was_paused_goes_on_also_after_a_kill) {
   for (const bool is_killed : {false, true}) {
     flight_world world({.who = GetParam(), .speed = 2});
     ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::reached, "w3"));
@@ -194,7 +194,7 @@ TEST_P(people, who_takes_it_in_a_start_in_which_godwit_has_armed_it_is_told_that
 
 // -- landings -----------------------------------------------------------------------------------------
 
-TEST_P(people_in_the_air, behind_a_landing_by_a_pilot_nothing_is_brought_armed_or_started_until_a_hand_back) {
+TEST_P(people_in_the_air, after_a_landing_by_a_pilot_nothing_is_brought_armed_or_started_until_a_hand_back) {
   for (const auto policy : {start_policy::automatic, start_policy::on_command}) {
     flight_world world({.who = GetParam(), .start = policy, .takeoff_again = start_policy::automatic});
     world.load(with_landing_on_the_way());
@@ -234,7 +234,7 @@ TEST_P(people_in_the_air, a_landing_by_a_pilot_reaches_skips_and_completes_nothi
   EXPECT_TRUE(world.say(command_kind::resume).is_taken) << "the rest can be flown\n" << world.story();
 }
 
-TEST_P(people_in_the_air, behind_a_landing_on_the_way_the_take_off_needs_a_persons_word) {
+TEST_P(people_in_the_air, after_a_landing_on_the_way_the_take_off_needs_a_persons_word) {
   flight_world world({.who = GetParam()});
   world.load(with_landing_on_the_way());
   ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "drop"); }, 600)) << world.story();
@@ -290,7 +290,7 @@ TEST_P(people, who_disarms_it_during_its_start_has_it) {
 
 // -- on the ground ------------------------------------------------------------------------------------
 
-TEST_P(people_in_the_air, resume_right_behind_a_disarm_commands_nothing) {
+TEST_P(people_in_the_air, resume_right_after_a_disarm_commands_nothing) {
   flight_world world({.who = GetParam(), .speed = 1});
   ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::started, "w1"));
   ASSERT_TRUE(world.say(command_kind::pause).is_taken);
@@ -337,7 +337,7 @@ TEST_P(people_in_the_air, a_plan_that_somebody_else_flies_is_not_replaced) {
 
 // -- words that stop it -------------------------------------------------------------------------------
 
-TEST_P(people_at_a_copter, a_pilot_who_takes_loiter_behind_a_hold_of_ours_that_was_lost_has_it) {
+TEST_P(people_at_a_copter, a_pilot_who_takes_loiter_after_a_hold_of_ours_that_was_lost_has_it) {
   flight_world world(
       {.who = GetParam(), .speed = 4}); // a heartbeat each quarter of a second: a Copter tells each change
   ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::started, "w2"));
@@ -398,7 +398,7 @@ TEST_P(people, who_holds_it_right_after_a_pause_that_was_not_obeyed_has_it) {
   ASSERT_TRUE(world.run_until([&] { return world.heard_mode() == hold_mode(GetParam()); }, 3)) << world.story();
   world.lose_command(set_mode, 0);
   const auto orders = world.orders();
-  world.assign(tail_behind("w2", GetParam()));
+  world.assign(tail_after("w2", GetParam()));
   world.run_for(10);
   EXPECT_EQ(world.durable().status.cause, pause_cause::taken_over) << world.story();
   EXPECT_EQ(world.orders(), orders) << world.story();
@@ -433,7 +433,7 @@ TEST_P(people, at_20_percent_loss_a_pause_is_obeyed_within_2_5_s) {
 TEST_P(people, a_pause_does_not_wait_for_an_upload_that_is_under_way) {
   flight_world world({.who = GetParam(), .speed = 1, .most_delay_ms = 200});
   ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::started, "w1"));
-  world.assign(tail_behind("w2", GetParam()));
+  world.assign(tail_after("w2", GetParam()));
   ASSERT_TRUE(world.run_until([&] { return world.durable().progress.upload.has_value(); }, 5)) << world.story();
   ASSERT_TRUE(world.say(command_kind::pause).is_taken);
   const auto said_ns = world.now_ns();
@@ -461,7 +461,7 @@ TEST_P(people, a_pause_in_a_start_ends_the_start) {
 }
 
 // The start came through before the command: what flies is held.
-TEST_P(people, a_pause_right_behind_a_start_holds_what_has_started) {
+TEST_P(people, a_pause_right_after_a_start_holds_what_has_started) {
   for (int wait = 0; wait < 12; ++wait) {
     flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
     world.load(tests::short_mission(GetParam()));
@@ -521,20 +521,20 @@ TEST_P(people, nobody_sends_it_to_a_place_that_no_mission_may_have) {
   EXPECT_EQ(world.orders(), orders) << world.story();
 }
 
-// -- behind the last item -----------------------------------------------------------------------------
+// -- after the last item -----------------------------------------------------------------------------
 
-TEST_P(people_in_the_air, behind_a_last_waypoint_in_the_air_it_can_be_sent_further) {
+TEST_P(people_in_the_air, after_a_last_waypoint_in_the_air_it_can_be_sent_further) {
   flight_world world({.who = GetParam()});
   ASSERT_TRUE(fly_to(world, open_ended(GetParam()), progress_kind::reached, "w3"));
   world.run_for(3);
   ASSERT_TRUE(world.vehicle().describe().in_air) << world.story();
-  world.assign(tail_behind("w3", GetParam()));
+  world.assign(tail_after("w3", GetParam()));
   ASSERT_TRUE(world.run_until([&] { return is_told(world, progress_kind::reached, "z"); }, 120)) << world.story();
   ASSERT_EQ(world.answers().size(), 1U);
   EXPECT_EQ(world.answers().front().response.outcome, mission::assignment_outcome::accepted) << world.story();
 }
 
-TEST_P(people_in_the_air, behind_a_last_waypoint_it_is_said_that_the_vehicle_waits_in_the_air) {
+TEST_P(people_in_the_air, after_a_last_waypoint_it_is_said_that_the_vehicle_waits_in_the_air) {
   flight_world world({.who = GetParam()});
   ASSERT_TRUE(fly_to(world, open_ended(GetParam()), progress_kind::reached, "w3"));
   ASSERT_TRUE(world.run_until([&] { return is_complete(world); }, 60)) << world.story();

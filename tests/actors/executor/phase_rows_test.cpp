@@ -279,7 +279,7 @@ TEST(phase_rows, each_leads_where_it_should) {
     }
 }
 
-// One that stands behind a row without a guard is never taken.
+// One that stands after a row without a guard is never taken.
 bool is_shadowed(std::size_t row, phase from) {
   const auto rows = phase_table();
   return std::ranges::any_of(rows.first(row), [&](const transition& each) {

@@ -69,7 +69,7 @@ TEST(phase_table, nothing_but_what_takes_the_vehicle_begins_in_any_phase) {
   EXPECT_LE(std::ranges::count(phase_table(), any, &transition::from), 4);
 }
 
-// The first row that fits counts: one behind a row without a guard would never be taken.
+// The first row that fits counts: one after a row without a guard would never be taken.
 TEST(phase_table, no_row_hides_behind_another) {
   const auto rows = phase_table();
   for (std::size_t late = 0; late < rows.size(); ++late)

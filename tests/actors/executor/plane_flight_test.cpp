@@ -86,7 +86,7 @@ TEST(plane_flight, called_home_it_circles_there_until_somebody_lands_it) {
   EXPECT_TRUE(world.durable().status.in_flight) << world.story();
 }
 
-TEST(plane_flight, behind_a_last_waypoint_it_comes_home_by_itself_and_that_is_nobodys_takeover) {
+TEST(plane_flight, after_a_last_waypoint_it_comes_home_by_itself_and_that_is_nobodys_takeover) {
   flight_world world({.who = plane});
   auto mission = plane_mission();
   mission.items.pop_back();
@@ -163,7 +163,7 @@ TEST(plane_flight, whose_plan_marks_its_landing_and_that_is_not_armed_so_names_t
   EXPECT_FALSE(world.vehicle().describe().armed);
 }
 
-TEST(plane_flight, stood_in_auto_behind_its_landing_it_is_put_into_a_mode_in_which_arming_begins_nothing) {
+TEST(plane_flight, stood_in_auto_after_its_landing_it_is_put_into_a_mode_in_which_arming_begins_nothing) {
   flight_world world({.who = plane});
   world.load(plane_mission());
   ASSERT_TRUE(world.run_until_phase(phase::done, 900)) << world.story();
@@ -176,7 +176,7 @@ TEST(plane_flight, stood_in_auto_behind_its_landing_it_is_put_into_a_mode_in_whi
 
 // -- what is left of a mission, and needs a take-off that is flown already ------------------------------
 
-// Somebody has brought it down behind w1, and has handed it back.
+// Somebody has brought it down after w1, and has handed it back.
 testing::AssertionResult break_off(flight_world& world) {
   if (const auto came = fly_to(world, plane_mission(), progress_kind::reached, "w1"); !came)
     return came;
@@ -211,7 +211,7 @@ TEST(plane_rest, that_can_not_be_flown_from_the_ground_waits_for_a_person_and_no
   EXPECT_FALSE(world.vehicle().describe().armed);
 }
 
-TEST(plane_rest, waits_on_behind_a_crash) {
+TEST(plane_rest, waits_on_after_a_crash) {
   flight_world world({.who = plane});
   ASSERT_TRUE(break_off(world));
   ASSERT_TRUE(world.say(command_kind::resume).is_taken);

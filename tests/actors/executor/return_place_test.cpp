@@ -1,4 +1,4 @@
-// Where a return leads behind a landing on the way: by the vehicle's own words, and by its track.
+// Where a return leads after a landing on the way: by the vehicle's own words, and by its track.
 #include "actors/executor/flight/return_place.hpp"
 
 #include <algorithm>
@@ -55,9 +55,9 @@ double told_home_off_m(const flight_world& world) {
   return from_home_m({home.latitude, home.longitude, home.above_sea_m});
 }
 
-class behind_a_landing : public testing::TestWithParam<personality> {
+class after_a_landing : public testing::TestWithParam<personality> {
 protected:
-  behind_a_landing() : world({.who = GetParam(), .takeoff_again = start_policy::on_command}) {}
+  after_a_landing() : world({.who = GetParam(), .takeoff_again = start_policy::on_command}) {}
 
   void fly_to_the_landing() {
     world.load(with_drop(GetParam()));
@@ -77,11 +77,11 @@ protected:
 
   flight_world world;
 };
-class behind_a_landing_in_the_air : public behind_a_landing {};
-class behind_a_landing_with_a_command : public behind_a_landing {};
-class behind_a_landing_with_an_item : public behind_a_landing {};
+class after_a_landing_in_the_air : public after_a_landing {};
+class after_a_landing_with_a_command : public after_a_landing {};
+class after_a_landing_with_an_item : public after_a_landing {};
 
-TEST_P(behind_a_landing, home_is_that_of_the_mission_again_and_the_flight_is_not_held) {
+TEST_P(after_a_landing, home_is_that_of_the_mission_again_and_the_flight_is_not_held) {
   ASSERT_NO_FATAL_FAILURE(take_off_again());
   world.run_for(4);
   EXPECT_LT(told_home_off_m(world), 1) << world.story();
@@ -91,7 +91,7 @@ TEST_P(behind_a_landing, home_is_that_of_the_mission_again_and_the_flight_is_not
   EXPECT_EQ(world.reports().back().kind, progress_kind::complete) << world.story();
 }
 
-TEST_P(behind_a_landing_in_the_air, who_is_called_home_lands_at_the_home_of_the_mission) {
+TEST_P(after_a_landing_in_the_air, who_is_called_home_lands_at_the_home_of_the_mission) {
   ASSERT_NO_FATAL_FAILURE(take_off_again());
   world.run_for(4);
   ASSERT_TRUE(world.say(command_kind::come_home).is_taken);
@@ -99,7 +99,7 @@ TEST_P(behind_a_landing_in_the_air, who_is_called_home_lands_at_the_home_of_the_
   EXPECT_LT(away_m(), at_home_m) << world.story();
 }
 
-TEST_P(behind_a_landing_in_the_air, a_failsafes_return_leads_to_the_home_of_the_mission) {
+TEST_P(after_a_landing_in_the_air, a_failsafes_return_leads_to_the_home_of_the_mission) {
   ASSERT_NO_FATAL_FAILURE(take_off_again());
   world.run_for(4);
   world.vehicle().set_battery(22, world.now_ns());
@@ -108,7 +108,7 @@ TEST_P(behind_a_landing_in_the_air, a_failsafes_return_leads_to_the_home_of_the_
   EXPECT_LT(away_m(), at_home_m) << world.story();
 }
 
-TEST_P(behind_a_landing, where_home_is_moved_people_are_told_and_it_is_called_home_by_a_plan) {
+TEST_P(after_a_landing, where_home_is_moved_people_are_told_and_it_is_called_home_by_a_plan) {
   ASSERT_NO_FATAL_FAILURE(take_off_again());
   world.run_for(4);
   world.set_home_by_hand();
@@ -122,7 +122,7 @@ TEST_P(behind_a_landing, where_home_is_moved_people_are_told_and_it_is_called_ho
   EXPECT_LT(away_m(), at_home_m) << world.story();
 }
 
-TEST_P(behind_a_landing_in_the_air, where_home_is_moved_a_failsafes_return_leads_to_the_home_of_the_mission_by_a_plan) {
+TEST_P(after_a_landing_in_the_air, where_home_is_moved_a_failsafes_return_leads_to_the_home_of_the_mission_by_a_plan) {
   ASSERT_NO_FATAL_FAILURE(take_off_again());
   world.run_for(4);
   world.set_home_by_hand();
@@ -133,7 +133,7 @@ TEST_P(behind_a_landing_in_the_air, where_home_is_moved_a_failsafes_return_leads
   EXPECT_LT(away_m(), at_home_m) << world.story();
 }
 
-TEST_P(behind_a_landing_with_a_command, without_its_home_it_does_not_take_off) {
+TEST_P(after_a_landing_with_a_command, without_its_home_it_does_not_take_off) {
   ASSERT_NO_FATAL_FAILURE(fly_to_the_landing());
   world.vehicle().refuse_command(do_set_home, 2, -1);
   ASSERT_TRUE(world.say(command_kind::start).is_taken);
@@ -143,7 +143,7 @@ TEST_P(behind_a_landing_with_a_command, without_its_home_it_does_not_take_off) {
   EXPECT_FALSE(world.vehicle().describe().armed) << world.story();
 }
 
-TEST_P(behind_a_landing_with_a_command, where_home_is_not_told_it_does_not_take_off) {
+TEST_P(after_a_landing_with_a_command, where_home_is_not_told_it_does_not_take_off) {
   ASSERT_NO_FATAL_FAILURE(fly_to_the_landing());
   world.lose_message(home_position);
   ASSERT_TRUE(world.say(command_kind::start).is_taken);
@@ -153,7 +153,7 @@ TEST_P(behind_a_landing_with_a_command, where_home_is_not_told_it_does_not_take_
   EXPECT_FALSE(world.vehicle().describe().armed) << world.story();
 }
 
-TEST_P(behind_a_landing_with_a_command, its_home_is_free_again_behind_the_mission) {
+TEST_P(after_a_landing_with_a_command, its_home_is_free_again_after_the_mission) {
   ASSERT_NO_FATAL_FAILURE(take_off_again());
   EXPECT_TRUE(world.durable().has_commanded_home);
   ASSERT_TRUE(world.run_until([&] { return is_over(world.durable().status.now); }, 900)) << world.story();
@@ -161,14 +161,14 @@ TEST_P(behind_a_landing_with_a_command, its_home_is_free_again_behind_the_missio
   EXPECT_EQ(std::ranges::count(world.commands(), do_set_home), 2) << world.story();
 }
 
-TEST_P(behind_a_landing_with_a_command, its_home_is_freed_by_who_comes_behind_a_kill) {
+TEST_P(after_a_landing_with_a_command, its_home_is_freed_by_who_comes_after_a_kill) {
   ASSERT_NO_FATAL_FAILURE(take_off_again());
   ASSERT_TRUE(world.run_until([&] { return is_over(world.durable().status.now); }, 900)) << world.story();
   world.crash_all();
   ASSERT_TRUE(world.run_until([&] { return !world.durable().has_commanded_home; }, 60)) << world.story();
 }
 
-TEST_P(behind_a_landing_with_an_item, where_home_is_not_told_it_holds_and_is_called_home_by_a_plan) {
+TEST_P(after_a_landing_with_an_item, where_home_is_not_told_it_holds_and_is_called_home_by_a_plan) {
   ASSERT_NO_FATAL_FAILURE(fly_to_the_landing());
   world.lose_message(home_position);
   ASSERT_TRUE(world.say(command_kind::start).is_taken);
@@ -184,13 +184,13 @@ TEST_P(behind_a_landing_with_an_item, where_home_is_not_told_it_holds_and_is_cal
       << world.story();
 }
 
-TEST_P(behind_a_landing_with_an_item, no_command_locks_its_home) {
+TEST_P(after_a_landing_with_an_item, no_command_locks_its_home) {
   ASSERT_NO_FATAL_FAILURE(take_off_again());
   EXPECT_EQ(std::ranges::count(world.commands(), do_set_home), 0) << world.story();
   EXPECT_EQ(world.durable().flown->items.at(1).command, do_set_home);
 }
 
-TEST_P(behind_a_landing, an_executor_that_dies_in_the_second_flight_looks_at_home_again_and_flies_on) {
+TEST_P(after_a_landing, an_executor_that_dies_in_the_second_flight_looks_at_home_again_and_flies_on) {
   ASSERT_NO_FATAL_FAILURE(take_off_again());
   world.run_for(0.5);
   world.crash();
@@ -201,14 +201,14 @@ TEST_P(behind_a_landing, an_executor_that_dies_in_the_second_flight_looks_at_hom
 
 std::string name_of(const testing::TestParamInfo<personality>& each) { return std::string(io::name_of(each.param)); }
 
-INSTANTIATE_TEST_SUITE_P(each, behind_a_landing,
+INSTANTIATE_TEST_SUITE_P(each, after_a_landing,
                          testing::Values(personality::rover, personality::px4, personality::ardupilot,
                                          personality::plane),
                          name_of);
-INSTANTIATE_TEST_SUITE_P(each, behind_a_landing_in_the_air, testing::Values(personality::px4, personality::ardupilot),
+INSTANTIATE_TEST_SUITE_P(each, after_a_landing_in_the_air, testing::Values(personality::px4, personality::ardupilot),
                          name_of);
-INSTANTIATE_TEST_SUITE_P(each, behind_a_landing_with_a_command, testing::Values(personality::px4), name_of);
-INSTANTIATE_TEST_SUITE_P(each, behind_a_landing_with_an_item, testing::Values(personality::ardupilot), name_of);
+INSTANTIATE_TEST_SUITE_P(each, after_a_landing_with_a_command, testing::Values(personality::px4), name_of);
+INSTANTIATE_TEST_SUITE_P(each, after_a_landing_with_an_item, testing::Values(personality::ardupilot), name_of);
 
 } // namespace return_place_test
 } // namespace godwit::executor

@@ -224,7 +224,7 @@ TEST_P(rule_of_long_replans, to_come_home_does_not_wait_for_a_replan) {
 }
 
 // A plan that has ended leads nowhere any more when another one has taken its place.
-TEST_P(rule, behind_a_goto_and_back_a_hold_that_nobody_asked_for_is_a_pilots) {
+TEST_P(rule, after_a_goto_and_back_a_hold_that_nobody_asked_for_is_a_pilots) {
   flight_world world({.who = GetParam()});
   ASSERT_TRUE(fly(world));
   operators::command there;
@@ -247,7 +247,7 @@ TEST_P(rule, behind_a_goto_and_back_a_hold_that_nobody_asked_for_is_a_pilots) {
   EXPECT_TRUE(world.reactions().empty()) << world.story();
 }
 
-TEST_P(rule, a_hold_behind_our_own_that_nobody_asked_for_is_a_pilots) {
+TEST_P(rule, a_hold_after_our_own_that_nobody_asked_for_is_a_pilots) {
   flight_world world({.who = GetParam()});
   ASSERT_TRUE(fly(world));
   ASSERT_TRUE(world.say(command_kind::pause).is_taken);
@@ -271,7 +271,7 @@ TEST_P(rule, to_a_vehicle_that_somebody_flies_by_hand_a_mission_is_brought_and_n
   }
 }
 
-TEST_P(rule, behind_a_hand_back_the_failsafe_acts_again) {
+TEST_P(rule, after_a_hand_back_the_failsafe_acts_again) {
   flight_world world({.who = GetParam(), .speed = 1});
   ASSERT_TRUE(fly(world));
   ASSERT_TRUE(take_over(world));
@@ -412,7 +412,7 @@ TEST_P(rule, a_replan_that_was_never_sent_has_failed) {
 }
 
 // DO_SET_MISSION_CURRENT is acknowledged also by a vehicle that holds another plan.
-TEST_P(rule, behind_a_replan_an_ardupilot_goes_on_only_when_it_shows_the_item_of_the_new_plan) {
+TEST_P(rule, after_a_replan_an_ardupilot_goes_on_only_when_it_shows_the_item_of_the_new_plan) {
   if (GetParam() != sim::personality::ardupilot)
     return;
   flight_world world({.who = GetParam()});

@@ -186,7 +186,7 @@ TEST_P(service_again, deleted_in_flight_it_comes_home_by_policy_unless_a_person_
   }
 }
 
-class service_behind_a_landing : public service_again {
+class service_after_a_landing : public service_again {
 protected:
   // Until it stands at the landing on the way.
   static bool lands_on_the_way(flight_world& world) {
@@ -201,7 +201,7 @@ protected:
   }
 };
 
-TEST_P(service_behind_a_landing, deleted_at_a_landing_on_the_way_it_is_flown_to_its_end_also_after_a_crash) {
+TEST_P(service_after_a_landing, deleted_at_a_landing_on_the_way_it_is_flown_to_its_end_also_after_a_crash) {
   flight_world world({.who = GetParam()});
   ASSERT_TRUE(lands_on_the_way(world)) << world.story();
   world.delete_mission(tests::with_landing_on_the_way().mission_id);
@@ -216,7 +216,7 @@ TEST_P(service_behind_a_landing, deleted_at_a_landing_on_the_way_it_is_flown_to_
   EXPECT_TRUE(world.run_until_phase(phase::done)) << world.story();
 }
 
-TEST_P(service_behind_a_landing, deleted_in_flight_the_landing_on_the_way_is_not_its_end) {
+TEST_P(service_after_a_landing, deleted_in_flight_the_landing_on_the_way_is_not_its_end) {
   flight_world world({.who = GetParam(), .takeoff_again = start_policy::automatic});
   world.load(tests::with_landing_on_the_way());
   ASSERT_TRUE(world.run_until_phase(phase::flying)) << world.story();
@@ -224,7 +224,7 @@ TEST_P(service_behind_a_landing, deleted_in_flight_the_landing_on_the_way_is_not
   EXPECT_TRUE(world.run_until_phase(phase::done)) << world.story();
 }
 
-TEST_P(service_behind_a_landing, deleted_at_a_landing_on_the_way_it_is_not_flown_on_where_it_is_set_to_return) {
+TEST_P(service_after_a_landing, deleted_at_a_landing_on_the_way_it_is_not_flown_on_where_it_is_set_to_return) {
   flight_world world(
       {.who = GetParam(), .takeoff_again = start_policy::automatic, .deleted_mission = deletion_policy::come_home});
   ASSERT_TRUE(lands_on_the_way(world)) << world.story();
@@ -235,13 +235,12 @@ TEST_P(service_behind_a_landing, deleted_at_a_landing_on_the_way_it_is_not_flown
   EXPECT_FALSE(world.durable().status.in_flight) << world.story();
 }
 
-INSTANTIATE_TEST_SUITE_P(each, service_behind_a_landing,
+INSTANTIATE_TEST_SUITE_P(each, service_after_a_landing,
                          testing::Values(sim::personality::px4, sim::personality::ardupilot));
 
 // -- what is owed -----------------------------------------------------------------------------------------
 
-TEST_P(service_again,
-       what_was_seen_in_a_flight_that_was_broken_off_is_asked_for_also_when_godwit_dies_right_behind_it) {
+TEST_P(service_again, what_was_seen_in_a_flight_that_was_broken_off_is_asked_for_also_when_godwit_dies_right_after_it) {
   flight_world world({.who = GetParam()});
   world.load(short_mission());
   ASSERT_TRUE(world.run_until([&] { return world.reports().size() >= 3; }, 600)) << world.story();

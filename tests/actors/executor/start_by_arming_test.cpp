@@ -77,7 +77,7 @@ TEST_P(start_by_arming, a_vehicle_that_nobody_arms_is_taken_out_of_its_mission_m
   EXPECT_EQ(world.durable().status.cause, pause_cause::taken_over);
 }
 
-TEST_P(start_by_arming, behind_a_crash_it_is_taken_out_of_its_mission_mode_and_its_arm_starts_nothing) {
+TEST_P(start_by_arming, after_a_crash_it_is_taken_out_of_its_mission_mode_and_its_arm_starts_nothing) {
   ASSERT_TRUE(wait_for_arm());
   world.crash();
   EXPECT_TRUE(world.run_until([&] { return !is_in_mission_mode(); }, 15)) << world.story();

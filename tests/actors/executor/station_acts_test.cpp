@@ -107,7 +107,7 @@ TEST_P(station_acts, a_hold_in_flight_is_godwits_pause) {
   EXPECT_EQ(world.durable().status.cause, pause_cause::asked);
 }
 
-TEST_P(station_acts, a_resume_right_behind_a_hold_goes_on_when_it_holds) {
+TEST_P(station_acts, a_resume_right_after_a_hold_goes_on_when_it_holds) {
   ASSERT_TRUE(fly());
   ASSERT_EQ(world.station_does(act_kind::hold).verdict, act_verdict::begun);
   EXPECT_TRUE(world.say(command_kind::resume).is_taken);

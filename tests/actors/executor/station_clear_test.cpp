@@ -43,7 +43,7 @@ TEST_P(clear_by_station, a_plan_is_cleared_here_and_on_the_vehicle_and_can_not_b
   EXPECT_EQ(world.start_answers().back().verdict, start_verdict::no_such_item);
 }
 
-TEST_P(clear_by_station, another_plan_behind_a_clear_is_brought_and_flown) {
+TEST_P(clear_by_station, another_plan_after_a_clear_is_brought_and_flown) {
   flight_world world(by_stations(GetParam()));
   const auto items = station_items(GetParam());
   ASSERT_TRUE(bring(world, items));
@@ -53,7 +53,7 @@ TEST_P(clear_by_station, another_plan_behind_a_clear_is_brought_and_flown) {
   if (GetParam() == sim::personality::rover) // it stays armed where its mission ends
     world.disarm_by_hand();
   world.run_for(5);
-  ASSERT_TRUE(ends_with(world, plan_verdict::taken)) << "behind the flight";
+  ASSERT_TRUE(ends_with(world, plan_verdict::taken)) << "after the flight";
   ASSERT_TRUE(bring(world, items));
 }
 
@@ -79,7 +79,7 @@ TEST_P(clear_by_station, in_flight_it_is_refused_and_the_plan_is_shown_again) {
   EXPECT_EQ(world.shown_progress().back().plan_id, io::mavlink::checksum_of(items));
 }
 
-TEST_P(clear_by_station, while_a_plan_is_brought_it_waits_for_that_and_is_done_behind_it) {
+TEST_P(clear_by_station, while_a_plan_is_brought_it_waits_for_that_and_is_done_after_it) {
   flight_world world(by_stations(GetParam()));
   ASSERT_TRUE(world.run_until_phase(phase::connected)) << world.story();
   world.station_says(taken(station_items(GetParam())));

@@ -230,7 +230,7 @@ TEST_P(station_commands, a_vehicle_that_is_known_to_hold_is_answered_at_once) {
 }
 
 // The mode that is shown is older than what was sent.
-TEST_P(station_commands, a_hold_right_behind_a_resume_is_not_answered_by_the_mode_of_before) {
+TEST_P(station_commands, a_hold_right_after_a_resume_is_not_answered_by_the_mode_of_before) {
   ASSERT_TRUE(bring_to(world, GetParam(), moment::paused));
   (void)world.say(command_kind::resume);
   (void)world.station_commands(act_kind::hold);

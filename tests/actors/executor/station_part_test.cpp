@@ -96,12 +96,12 @@ TEST_P(part_by_station, a_plan_without_a_take_off_before_the_item_is_not_begun_t
   EXPECT_FALSE(world.vehicle().describe().armed);
 }
 
-TEST_P(part_by_station, the_whole_plan_is_flown_behind_a_part_of_it) {
+TEST_P(part_by_station, the_whole_plan_is_flown_after_a_part_of_it) {
   ASSERT_TRUE(bring(world, items));
   start(0, first_waypoint());
   ASSERT_TRUE(is_answered(start_verdict::started));
   ASSERT_TRUE(runs_until_part_is_done()) << world.story();
-  world.run_for(3); // a PX4 holds by itself behind the last item, and shows it with its next heartbeat
+  world.run_for(3); // a PX4 holds by itself after the last item, and shows it with its next heartbeat
   const auto end = static_cast<std::uint16_t>(items.size() - 1);
   if (drives()) { // it has ended: another flight
     start(0, end);

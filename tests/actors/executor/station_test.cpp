@@ -200,7 +200,7 @@ TEST_P(flight_by_station, what_the_vehicle_says_of_a_refusal_is_in_the_answer_an
   EXPECT_NE(world.durable().status.reason.find("Throttle too high"), std::string::npos) << world.story();
 }
 
-// -- a start behind what the station has done itself --------------------------------------------------
+// -- a start after what the station has done itself --------------------------------------------------
 
 // Its plan is ready, and its arm has gone on to the vehicle. godwit itself arms nothing.
 class armed_by_station : public flight_by_station {
@@ -221,14 +221,14 @@ protected:
 };
 
 // As MAVSDK does it: arm and start in one breath, before a heartbeat shows that it is armed.
-TEST_P(armed_by_station, a_start_right_behind_an_arm_waits_for_the_heartbeat_that_shows_it) {
+TEST_P(armed_by_station, a_start_right_after_an_arm_waits_for_the_heartbeat_that_shows_it) {
   world.arm_by_hand();
   world.station_says(start_of(world, items));
   EXPECT_TRUE(world.run_until_phase(phase::flying, 30)) << world.story();
   EXPECT_EQ(world.start_answers().back().verdict, start_verdict::started);
 }
 
-TEST_P(armed_by_station, a_start_behind_an_arm_that_the_vehicle_refuses_is_refused_too) {
+TEST_P(armed_by_station, a_start_after_an_arm_that_the_vehicle_refuses_is_refused_too) {
   world.station_says(start_of(world, items));
   const auto before = world.orders();
   world.run_for(10);
@@ -338,7 +338,7 @@ TEST_P(flight_by_station, the_fence_of_a_station_is_checked_and_watched) {
   EXPECT_TRUE(world.reactions().empty()) << world.story();
 }
 
-TEST_P(flight_by_station, a_fence_that_comes_first_counts_for_the_plan_behind_it_until_it_is_cleared) {
+TEST_P(flight_by_station, a_fence_that_comes_first_counts_for_the_plan_after_it_until_it_is_cleared) {
   flight_world world(by_stations(GetParam()));
   world.station_says(taken(fence_around(GetParam(), 20), mav_mission_type::fence));
   world.station_says(taken(station_items(GetParam())));

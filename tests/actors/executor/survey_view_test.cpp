@@ -38,7 +38,7 @@ TEST(survey_view, on_the_way_to_the_first_line_it_is_at_the_beginning_and_nothin
   EXPECT_EQ(seen->polygon.size(), 3U);
 }
 
-TEST(survey_view, a_line_is_done_when_the_vehicle_is_on_its_way_behind_its_end) {
+TEST(survey_view, a_line_is_done_when_the_vehicle_is_past_its_end) {
   EXPECT_EQ(survey_progress_of(in_survey_at(3))->lines_done, 0U);
   EXPECT_FALSE(survey_progress_of(in_survey_at(3))->is_at_beginning);
   EXPECT_EQ(survey_progress_of(in_survey_at(4))->lines_done, 1U);

@@ -138,7 +138,7 @@ TEST_P(transitions, handed_back_in_its_mission_mode_it_flies_on) {
   EXPECT_TRUE(world.run_until_phase(phase::done)) << world.story();
 }
 
-TEST_P(transitions_in_the_air, handed_back_behind_a_plan_that_ends_in_the_air_it_waits_as_before) {
+TEST_P(transitions_in_the_air, handed_back_after_a_plan_that_ends_in_the_air_it_waits_as_before) {
   auto mission = tests::short_mission(GetParam());
   mission.items.pop_back();
   flight_world world({.who = GetParam()});
@@ -152,7 +152,7 @@ TEST_P(transitions_in_the_air, handed_back_behind_a_plan_that_ends_in_the_air_it
   EXPECT_EQ(world.durable().status.cause, pause_cause::plan_ended) << world.story();
 }
 
-TEST_P(transitions_in_the_air, behind_the_end_a_hand_back_lets_the_next_mission_be_prepared) {
+TEST_P(transitions_in_the_air, after_the_end_a_hand_back_lets_the_next_mission_be_prepared) {
   flight_world world({.who = GetParam(), .start = start_policy::on_command});
   auto mission = tests::short_mission(GetParam());
   mission.items.pop_back();

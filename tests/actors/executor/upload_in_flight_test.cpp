@@ -169,8 +169,7 @@ TEST_P(uploaded_in_flight, what_does_not_come_to_the_vehicle_is_refused_and_the_
   EXPECT_TRUE(world.run_until_phase(phase::done)) << world.story();
 }
 
-TEST_P(uploaded_in_flight,
-       who_takes_the_vehicle_meanwhile_keeps_it_and_what_became_of_it_is_said_behind_the_hand_back) {
+TEST_P(uploaded_in_flight, who_takes_the_vehicle_meanwhile_keeps_it_and_what_became_of_it_is_said_after_the_hand_back) {
   ASSERT_TRUE(pause());
   const auto so_far = world.judged().size();
   world.station_says(taken(second));

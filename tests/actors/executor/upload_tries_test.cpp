@@ -49,7 +49,7 @@ TEST(upload_tries, what_the_vehicle_refuses_is_not_brought_again) {
   EXPECT_EQ(tries.end(refused).verdict, upload_verdict::unchanged);
 }
 
-TEST(upload_tries, behind_a_try_that_may_have_come_through_the_vehicle_is_looked_at) {
+TEST(upload_tries, after_a_try_that_may_have_come_through_the_vehicle_is_looked_at) {
   upload_tries tries;
   tries.begin(0);
   ASSERT_TRUE(tries.go_on(unheard, second));

@@ -330,7 +330,7 @@ TEST_P(cancel, finds_the_way_that_goto_finds) {
   EXPECT_GE(nearest_m_, promised_m) << world->story();
 }
 
-// Behind a wall as wide as the field: from the place where it was sent to the next item there is no straight way.
+// After a wall as wide as the field: from the place where it was sent to the next item there is no straight way.
 TEST_P(cancel, goes_around_a_fence_that_lies_between_the_vehicle_and_its_mission) {
   auto mission = tests::short_mission(GetParam());
   mission.geofences = {box(20, 15, 40, 42)};

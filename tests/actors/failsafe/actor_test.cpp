@@ -307,7 +307,7 @@ TEST(failsafe, a_crash_at_any_point_makes_no_second_return_and_forgets_none) {
     }
 }
 
-TEST(failsafe, a_crash_right_behind_the_command_makes_no_second_return_however_slow_the_vehicle) {
+TEST(failsafe, a_crash_right_after_the_command_makes_no_second_return_however_slow_the_vehicle) {
   for (const std::int64_t obeys_after_ms : {0, 40, 500, 900}) {
     flown_vehicle vehicle;
     vehicle.obeys_after_ms = obeys_after_ms;

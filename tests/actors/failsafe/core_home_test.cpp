@@ -1,4 +1,4 @@
-// The core: where a return leads behind a landing on the way.
+// The core: where a return leads after a landing on the way.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -161,7 +161,7 @@ TEST(failsafe_home, that_was_moved_before_the_vehicle_told_it_is_the_one_at_whic
   }
 }
 
-TEST(failsafe_home, what_is_asked_for_is_asked_for_again_behind_a_restart) {
+TEST(failsafe_home, what_is_asked_for_is_asked_for_again_after_a_restart) {
   flight_world world;
   guard_with_home_moved(world);
   const auto number = drain_until_asked(world);

@@ -124,7 +124,7 @@ TEST(failsafe_core, a_vehicle_that_is_handed_back_is_not_called_home_again_by_th
   }
 }
 
-TEST(failsafe_core, a_station_that_is_heard_again_behind_the_hand_back_is_missed_again) {
+TEST(failsafe_core, a_station_that_is_heard_again_after_the_hand_back_is_missed_again) {
   flight_world world;
   world.run_s(10);
   world.operator_there = false;

@@ -59,7 +59,7 @@ public:
       world_.hears = number % 3 != 0;
       world_.answers = number % 5 != 0;
       world_.obeys_after_ms = number % 900;
-      if (!has_land_start_) // one that is refused becomes a return, perhaps behind one that is still under way
+      if (!has_land_start_) // one that is refused becomes a return, perhaps after one that is still under way
         world_.refuses = number % 7 == 0 ? std::optional(command_verdict::refused) : std::nullopt;
       break;
     case heartbeats_stop:

@@ -71,7 +71,7 @@ TEST(failsafe_core, a_change_of_the_actual_mode_alone_is_the_autopilots_own_fail
             1);
 }
 
-TEST(failsafe_core, an_order_that_was_seen_to_be_obeyed_between_two_heartbeats_is_so_behind_a_restart) {
+TEST(failsafe_core, an_order_that_was_seen_to_be_obeyed_between_two_heartbeats_is_so_after_a_restart) {
   auto world = fenced();
   world.run_ms(200);
   world.tell(expect_mode{{in_return.custom_mode}, 5'000});
@@ -83,7 +83,7 @@ TEST(failsafe_core, an_order_that_was_seen_to_be_obeyed_between_two_heartbeats_i
   EXPECT_EQ(world.pilots_seen, 0);
 }
 
-TEST(failsafe_core, a_mode_that_was_told_before_a_heartbeat_is_not_judged_behind_it) {
+TEST(failsafe_core, a_mode_that_was_told_before_a_heartbeat_is_not_judged_after_it) {
   auto world = fenced();
   world.tell(expect_mode{{in_hold.custom_mode}, 5'000});
   world.mode = in_hold;
@@ -233,7 +233,7 @@ TEST(failsafe_core, a_takeover_that_is_told_on_the_ground_counts_in_the_air_unti
   EXPECT_EQ(world.sent.size(), 1U);
 }
 
-TEST(failsafe_core, a_command_of_the_executor_that_comes_behind_its_own_is_answered_with_the_same_again) {
+TEST(failsafe_core, a_command_of_the_executor_that_comes_after_its_own_is_answered_with_the_same_again) {
   auto world = fenced();
   world.east_m = 101;
   world.run_ms(300);

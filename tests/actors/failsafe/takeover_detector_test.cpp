@@ -210,7 +210,7 @@ TEST(takeover_detector, a_command_that_was_announced_along_with_the_hand_back_is
   }
 }
 
-TEST(takeover_detector, who_takes_over_behind_a_hand_back_that_nobody_could_see_yet_has_the_vehicle) {
+TEST(takeover_detector, who_takes_over_after_a_hand_back_that_nobody_could_see_yet_has_the_vehicle) {
   auto watch = on_mission();
   see(watch, flies, manual);
   watch.hand_back();
@@ -249,7 +249,7 @@ TEST(takeover_detector, who_takes_off_in_any_mode_but_that_of_a_plan_or_of_a_tak
 }
 
 // The landed state may be newer than the mode.
-TEST(takeover_detector, whose_a_take_off_is_a_heartbeat_says_that_came_behind_it) {
+TEST(takeover_detector, whose_a_take_off_is_a_heartbeat_says_that_came_after_it) {
   takeover_detector known({}, {}, start);
   see(known, on_ground, guided);
   takeover_detector started_again(known.memory(), {}, start);

@@ -485,7 +485,7 @@ TEST_F(ground_port_passing, the_mission_mode_that_is_repeated_while_the_flight_g
   EXPECT_EQ(port.last_result(), mavlink::number(mav_result::accepted));
 }
 
-TEST_F(ground_port_passing, the_mission_mode_right_behind_a_hold_resumes_and_is_no_repeated_start) {
+TEST_F(ground_port_passing, the_mission_mode_right_after_a_hold_resumes_and_is_no_repeated_start) {
   port.upload(3);
   set_mode(3);
   port.executor_answers(executor::start_verdict::started);

@@ -422,7 +422,7 @@ TEST(ground_port_start, a_station_that_has_loaded_no_plan_starts_what_there_is) 
   EXPECT_EQ(port.starts.size(), 1U);
 }
 
-TEST(ground_port_start, what_a_station_has_uploaded_is_known_behind_a_crash) {
+TEST(ground_port_start, what_a_station_has_uploaded_is_known_after_a_crash) {
   loaded port;
   port.executor_says(set_mission{waypoints(2)});
   port.crash();

@@ -228,7 +228,7 @@ TEST(ground_port_on_a_line, serial_to_a_station_that_is_plugged_in_later_or_agai
   }
 }
 
-// Behind the end of the port a read of the other end of a pseudo-terminal fails until the port has opened it again.
+// After the end of the port a read of the other end of a pseudo-terminal fails until the port has opened it again.
 TEST(ground_port_on_a_line, serial_of_a_port_that_comes_back_is_heard_by_a_station_that_stayed) {
   const io::link::testing::serial_line cable;
   for (int i = 0; i < 2; ++i) {

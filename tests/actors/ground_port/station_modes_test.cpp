@@ -186,7 +186,7 @@ TEST(station_modes, a_mode_that_ends_the_motion_goes_on_with_the_armed_flag_also
 }
 
 // The mode that was heard last is older than what has gone on to the vehicle.
-TEST(station_modes, the_mission_mode_behind_another_one_is_not_answered_by_the_mode_of_before) {
+TEST(station_modes, the_mission_mode_after_another_one_is_not_answered_by_the_mode_of_before) {
   for (const auto& vehicle : all_vehicles()) {
     station_mode one(vehicle, flight_phase::flying);
     one.say(form::command, vehicle.modes.front(), 209);

@@ -105,7 +105,7 @@ TEST(secret_eraser, a_key_is_taken_out_wherever_a_stream_is_cut) {
   }
 }
 
-TEST(secret_eraser, a_key_is_found_behind_bytes_that_are_no_frame) {
+TEST(secret_eraser, a_key_is_found_after_bytes_that_are_no_frame) {
   bytes all{std::byte{0xFD}, std::byte{200}, std::byte{0}}; // as if a long frame began
   append(all, frame_of(with_key()));
   EXPECT_FALSE(has(erased(all, all.size()), 0xA5));

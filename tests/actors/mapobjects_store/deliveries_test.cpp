@@ -44,7 +44,7 @@ TEST_F(deliveries, a_key_has_the_same_rows_in_the_same_order_until_it_is_deliver
   EXPECT_EQ(ids_of(take(901, 1000)), ids_of(first)); // the limit is that of the first time
 }
 
-TEST_F(deliveries, a_batch_says_how_much_is_pending_behind_it) {
+TEST_F(deliveries, a_batch_says_how_much_is_pending_after_it) {
   record_many(5);
   EXPECT_EQ(take(901, 2).pending_left, 3U);
   EXPECT_EQ(take(901, 2).pending_left, 3U);

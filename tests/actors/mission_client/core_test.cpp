@@ -190,7 +190,7 @@ TEST(mission_client_core, an_older_mission_in_an_answer_does_not_replace_a_newer
   EXPECT_EQ(s.revision, 3);
 }
 
-TEST(mission_client_core, what_an_expired_report_has_behind_it_expires_too) {
+TEST(mission_client_core, what_an_expired_report_has_after_it_expires_too) {
   auto s = ready();
   for (std::uint32_t i = 1; i <= 3; ++i)
     (void)durable_core::apply(s, report(i), hour_ns);

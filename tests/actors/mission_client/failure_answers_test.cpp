@@ -82,7 +82,7 @@ TEST(mission_client_answers, what_the_service_calls_wrong_is_not_repeated) {
   EXPECT_EQ(p.status().orphaned, 1U);
 }
 
-TEST(mission_client_answers, a_gap_that_the_service_sees_orphans_what_is_behind_it_and_loops_never) {
+TEST(mission_client_answers, a_gap_that_the_service_sees_orphans_what_is_after_it_and_loops_never) {
   outside around;
   around.service.add(sample_mission(mission_a));
   process p(around);

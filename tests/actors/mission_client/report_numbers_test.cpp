@@ -49,7 +49,7 @@ void deliver_before(service_mission& m, std::uint32_t count) {
     m.reports.push_back(report(mission_a, i).report);
 }
 
-TEST(mission_client_reports, a_journal_that_was_lost_goes_on_behind_the_last_number_of_the_service) {
+TEST(mission_client_reports, a_journal_that_was_lost_goes_on_after_the_last_number_of_the_service) {
   outside around;
   auto& m = around.service.add(sample_mission(mission_a));
   deliver_before(m, 3);
@@ -209,7 +209,7 @@ private:
   }
 };
 
-TEST_F(older_journal, goes_on_behind_the_last_report_of_the_service_and_says_so) {
+TEST_F(older_journal, goes_on_after_the_last_report_of_the_service_and_says_so) {
   put_back();
   process p(around);
   p.advance(2s);

@@ -182,7 +182,7 @@ TEST(operator_bridge, a_killed_process_has_no_command_done_twice_wherever_it_was
   }
 }
 
-TEST(operator_bridge, who_is_logged_in_and_who_has_control_is_known_behind_a_kill_at_once) {
+TEST(operator_bridge, who_is_logged_in_and_who_has_control_is_known_after_a_kill_at_once) {
   runtime::simulated_disk disk;
   operators::principal anna;
   {

@@ -34,7 +34,7 @@ TEST(operator_control, of_who_is_silent_for_10_s_is_free) {
   EXPECT_EQ(desk.say_all_the_way(desk.command(anna, command_kind::resume)), verdict::no_control);
 }
 
-TEST(operator_control, who_had_it_has_10_s_behind_a_restart) {
+TEST(operator_control, who_had_it_has_10_s_after_a_restart) {
   bridge_desk desk;
   const auto anna = desk.pilot();
   desk.pass(9 * s);

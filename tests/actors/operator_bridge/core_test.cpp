@@ -201,7 +201,7 @@ TEST(operator_bridge_core, what_was_handed_over_when_the_process_died_is_never_d
   EXPECT_EQ(desk.handed.size(), 1U);
 }
 
-TEST(operator_bridge_core, an_answer_that_was_given_is_given_again_behind_a_crash) {
+TEST(operator_bridge_core, an_answer_that_was_given_is_given_again_after_a_crash) {
   bridge_desk desk;
   const auto anna = desk.pilot();
   ASSERT_EQ(desk.say_all_the_way(desk.command(anna, command_kind::start, "a1")), verdict::taken);

@@ -20,7 +20,7 @@ TEST(scan_core, what_is_seen_first_is_shown_at_once) {
   EXPECT_EQ(std::get<point_shown>(w.effects[0]).number, 1U);
 }
 
-TEST(scan_core, at_most_five_are_shown_in_a_minute_and_the_sixth_right_behind_it) {
+TEST(scan_core, at_most_five_are_shown_in_a_minute_and_the_sixth_right_after_it) {
   scan_world w;
   for (int i = 1; i <= 6; ++i)
     w.see(thing(i));
@@ -214,7 +214,7 @@ TEST(scan_core, another_mission_drops_what_waits_and_passes_over_what_is_shown_b
   EXPECT_EQ(w.shown(), numbers{7});
 }
 
-TEST(scan_core, behind_a_start_of_the_computer_no_time_has_passed) {
+TEST(scan_core, after_a_start_of_the_computer_no_time_has_passed) {
   scan_world w;
   for (int i = 1; i <= 6; ++i)
     w.see(thing(i));

@@ -74,7 +74,7 @@ TEST(pass_watch, a_survey_that_is_held_taken_over_or_aborted_is_no_pass_also_whe
   EXPECT_FALSE(w.lost.empty());
 }
 
-TEST(pass_watch, the_rest_of_a_survey_behind_a_new_plan_is_no_pass) {
+TEST(pass_watch, the_rest_of_a_survey_after_a_new_plan_is_no_pass) {
   survey_world w;
   w.fly_upto(1);
   w.at.generation = 2;
@@ -90,7 +90,7 @@ TEST(pass_watch, flown_again_from_its_beginning_by_a_new_plan_it_is_a_pass) {
   EXPECT_EQ(w.state.owed_passes.size(), 1U);
 }
 
-TEST(pass_watch, entered_behind_its_first_line_it_is_no_pass) {
+TEST(pass_watch, entered_after_its_first_line_it_is_no_pass) {
   survey_world w;
   w.at.is_at_beginning = false;
   w.fly_upto(3);
@@ -164,7 +164,7 @@ TEST(pass_watch, a_pass_of_which_a_part_was_not_seen_is_lost_and_who_says_nothin
   EXPECT_EQ(std::get<pass_lost>(*lost).why, "the camera has not seen all of it: the lens is covered");
 }
 
-TEST(pass_watch, nobody_has_to_see_without_a_camera_before_the_first_line_or_behind_the_last) {
+TEST(pass_watch, nobody_has_to_see_without_a_camera_before_the_first_line_or_after_the_last) {
   watched_world w;
   ASSERT_TRUE(w.is_lost());
   w.watch.is_on_lines = false;

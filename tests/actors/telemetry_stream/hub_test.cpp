@@ -20,7 +20,7 @@ std::vector<json> all_of(subscriber& who) {
   return result;
 }
 
-std::vector<json> behind_hello(subscriber& who) {
+std::vector<json> after_hello(subscriber& who) {
   auto result = all_of(who);
   EXPECT_FALSE(result.empty());
   result.erase(result.begin());
@@ -63,7 +63,7 @@ TEST(hub, what_nobody_wants_reaches_nobody_but_everybody_hears_the_clock) {
   const auto who = s.join({{topic::health, 0}});
   s.say(topic::battery, 50);
   s.say(topic::clock, 1);
-  const auto heard = behind_hello(*who);
+  const auto heard = after_hello(*who);
   ASSERT_EQ(heard.size(), 1U);
   EXPECT_EQ(heard[0].at("topic"), "clock");
 }
@@ -130,7 +130,7 @@ TEST(hub, the_order_is_that_in_which_it_was_said_whatever_the_queue) {
   const auto who = s.join();
   for (int i = 0; i < 20; ++i)
     s.say(i % 3 == 0 ? topic::flight : topic::position, i);
-  const auto heard = behind_hello(*who);
+  const auto heard = after_hello(*who);
   ASSERT_EQ(heard.size(), 20U);
   for (int i = 0; i < 20; ++i)
     EXPECT_EQ(heard[static_cast<std::size_t>(i)].at("data"), i);

@@ -89,7 +89,7 @@ TEST(vehicle_watch, while_the_vehicle_is_heard_nobody_else_is_it_from_another_pe
   EXPECT_EQ(watch.on_time(5 * s)->phase, connection_phase::lost) << "the other one does not keep it alive";
 }
 
-TEST(vehicle_watch, behind_a_silence_it_may_come_from_another_peer) {
+TEST(vehicle_watch, after_a_silence_it_may_come_from_another_peer) {
   vehicle_watch watch(open_line);
   (void)watch.on_transport(true, {});
   for (int i = 0; i < 20; ++i)
@@ -208,7 +208,7 @@ TEST(vehicle_watch, frames_are_numbered_as_they_were_sent) {
   EXPECT_EQ(watch.number_of(255, 2 * ms), first + 1) << "late";
   EXPECT_EQ(watch.number_of(1, 3 * ms), first + 3) << "the same again";
   EXPECT_EQ(watch.number_of(2, 4 * ms), first + 4);
-  EXPECT_GT(watch.number_of(1, 4 * ms + late_within_ns), first + 4) << "behind a silence nothing is late";
+  EXPECT_GT(watch.number_of(1, 4 * ms + late_within_ns), first + 4) << "after a silence nothing is late";
 }
 
 } // namespace vehicle_watch_test

@@ -101,7 +101,7 @@ tl::expected<frame_labels, std::string> read_labels(const std::string& path) {
   return result;
 }
 
-// As truth of a picture of SIZE, behind BY.
+// As truth of a picture of SIZE, after BY.
 sim::camera::truth truth_of(const std::vector<label>& labels, const cv::Matx33d& by, const cv::Size& size) {
   constexpr double fast = 1000;
   const cv::Rect2d inside(0, 0, size.width, size.height);

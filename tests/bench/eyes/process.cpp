@@ -30,7 +30,7 @@ constexpr std::int64_t frame_ns = 33'333'333;
 constexpr int jpeg_quality = 85;
 constexpr std::uint64_t largest_recording = 2'000'000'000;
 constexpr auto opening_limit = 20s;
-constexpr auto settling = 2s; // behind the first picture: the background is young before
+constexpr auto settling = 2s; // after the first picture: the background is young before
 constexpr auto rest = 1s;     // before the end of the recording
 constexpr auto pose_period = 100ms;
 

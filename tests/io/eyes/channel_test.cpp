@@ -46,7 +46,7 @@ TEST(eyes_channel, an_end_that_is_gone_is_told_by_both_reading_and_sending) {
   EXPECT_EQ(left.send(pose{}), send_result::closed);
 }
 
-TEST(eyes_channel, garbage_is_an_error_and_what_comes_behind_it_is_read) {
+TEST(eyes_channel, garbage_is_an_error_and_what_comes_after_it_is_read) {
   both_ends s;
   const std::string garbage(70'000, 'x');
   ASSERT_GT(::send(s.helper.number(), "rubbish and more", 16, 0), 0);

@@ -177,7 +177,7 @@ TEST(scanner, a_datagram_that_begins_with_a_frame_waits_for_no_rest_of_the_one_b
     scanner frames;
     frames.feed_next_datagram(byte_view(good).first(cut), ignore);
     frames.feed_next_datagram(good, ignore);
-    EXPECT_EQ(frames.counters().frames, 1U) << "at once, cut behind " << cut;
+    EXPECT_EQ(frames.counters().frames, 1U) << "at once, cut after " << cut;
     EXPECT_EQ(frames.waiting_bytes(), 0U);
     EXPECT_EQ(frames.counters().cut_off, 1U);
   }

@@ -99,7 +99,7 @@ TEST(mcap_damage_closed, every_single_flipped_bit_is_noticed) {
   }
 }
 
-TEST(mcap_damage_closed, damage_with_data_behind_it_is_reported_and_left_alone) {
+TEST(mcap_damage_closed, damage_with_data_after_it_is_reported_and_left_alone) {
   const temporary_folder folder;
   const auto path = folder / "open.mcap";
   write_small_recording(path, false);

@@ -106,7 +106,7 @@ TEST_P(mcap_salvage, a_flipped_byte_costs_at_most_its_chunk_and_what_is_lost_is_
   }
 }
 
-// Records that the format allows and nobody here writes: what stands behind them is not lost.
+// Records that the format allows and nobody here writes: what stands after them is not lost.
 byte_buffer with_records_in_front_of_messages(const byte_buffer& records) {
   const two_channels channels;
   byte_buffer file;
@@ -125,7 +125,7 @@ byte_buffer with_records_in_front_of_messages(const byte_buffer& records) {
   return file;
 }
 
-TEST(mcap_salvage, a_record_of_a_later_version_costs_nothing_behind_it) {
+TEST(mcap_salvage, a_record_of_a_later_version_costs_nothing_after_it) {
   byte_buffer unknown;
   const auto start = begin_record(unknown, opcode{0x23});
   append_string(unknown, "of a later version");
@@ -135,7 +135,7 @@ TEST(mcap_salvage, a_record_of_a_later_version_costs_nothing_behind_it) {
   EXPECT_EQ(salvage(file).messages.size(), 3U);
 }
 
-TEST(mcap_salvage, an_index_with_two_different_sizes_costs_nothing_behind_it) {
+TEST(mcap_salvage, an_index_with_two_different_sizes_costs_nothing_after_it) {
   for (const auto said : {std::uint32_t{16}, std::uint32_t{48}, std::uint32_t{0xFFFF'FFFF}}) {
     byte_buffer index;
     const auto start = begin_record(index, opcode::message_index);

@@ -21,7 +21,7 @@ TEST(command_line, options_are_taken_by_their_names) {
   EXPECT_EQ(asked->options, (given_texts{{"once", "true"}, {"service", "https://example.org"}}));
 }
 
-TEST(command_line, options_may_stand_behind_a_command) {
+TEST(command_line, options_may_stand_after_a_command) {
   const auto asked = read({"ctl", "status", "--control", "socket", "--json"});
   ASSERT_TRUE(asked);
   EXPECT_EQ(asked->what, task::ask_status);

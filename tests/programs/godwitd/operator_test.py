@@ -114,7 +114,7 @@ class Daemon(World):
 
 
 class Running(Daemon):
-    def test_one_has_control_and_all_that_is_said_stands_in_the_audit_behind_a_kill_too(self):
+    def test_one_has_control_and_all_that_is_said_stands_in_the_audit_after_a_kill_too(self):
         godwitd = self.start()
         self.assertEqual(self.ctl("control", "take").stdout, "anna has control\n")
         refused = self.ctl("resume", user="bob")
@@ -136,7 +136,7 @@ class Running(Daemon):
         self.until(lambda: "control is free" in self.ctl("status").stdout)
         self.assertEqual(self.audit()[-1]["outcome"], "silent")
 
-    def test_a_command_that_is_said_again_is_answered_the_same_behind_a_kill_too(self):
+    def test_a_command_that_is_said_again_is_answered_the_same_after_a_kill_too(self):
         godwitd = self.start()
         line = {"do": "start", "by": "anna", "id": "anna-1"}
         first = self.say(**line)

@@ -213,7 +213,7 @@ TEST(replayer, a_message_that_was_taken_out_of_the_record_is_missed_and_one_that
   EXPECT_EQ(missing.deviations[0].kind, deviation_kind::not_sent);
 }
 
-TEST(replayer, it_ends_behind_the_message_that_was_named) {
+TEST(replayer, it_ends_after_the_message_that_was_named) {
   recorded_world made;
   made.live({10, 20, 30, 40});
   (void)made.replay<ledger_core>(1);

@@ -196,7 +196,7 @@ TEST(supervision_core, unreadable_state_gives_a_child_up_at_its_first_crash) {
   EXPECT_EQ(in_words(core.down(2, 0, true)), (words{"give up 2", "bring down 2"}));
 }
 
-TEST(supervision_core, with_rest_for_one_nothing_runs_behind_a_child_given_up) {
+TEST(supervision_core, with_rest_for_one_nothing_runs_after_a_child_given_up) {
   auto core = three_running(strategy::rest_for_one, 0);
   EXPECT_EQ(in_words(core.down(1, 0)), (words{"give up 1", "stop 2"}));
   EXPECT_EQ(in_words(core.down(2, 0)), words{});

@@ -63,7 +63,7 @@ void copter::on_time() {
 
 // -- the mission ------------------------------------------------------------------------------------
 
-// Behind a landing that ends the plan it disarms, sets the mission back and takes it for running: no word that it was
+// After a landing that ends the plan it disarms, sets the mission back and takes it for running: no word that it was
 // done.
 void copter::on_landed() {
   const bool goes_on = state().is_in(mode_kind::mission) && phase() == mission_phase::running;

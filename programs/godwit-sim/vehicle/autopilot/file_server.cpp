@@ -152,7 +152,7 @@ file_server::reply file_server::read(const request& asked, std::size_t offset) c
   return {ack, told, std::vector<std::byte>(from, from + count)};
 }
 
-// Behind a header, for each parameter: type and flags, how much of the name is that of the one before and how long the
+// After a header, for each parameter: type and flags, how much of the name is that of the one before and how long the
 // rest is, the rest, the value.
 file_server::file param_file(const std::vector<role::param>& params) {
   constexpr std::uint16_t magic = 0x671B;

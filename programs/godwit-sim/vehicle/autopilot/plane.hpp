@@ -2,7 +2,7 @@
 //
 // It arms in every mode but those that come home, in AUTO and TAKEOFF too, and takes off at once there. A landing item
 // never ends: the plane stands on it, disarms itself some time later and stays in AUTO, without a word that the mission
-// is complete. Behind any other last item, and as a return item begins, it changes to RTL by itself, which circles over
+// is complete. After any other last item, and as a return item begins, it changes to RTL by itself, which circles over
 // home for ever. Disarming in another mode than AUTO puts the mission back to its beginning. It has no mode for
 // landing; DO_LAND_START leads to the landing of its plan. Its RTL_AUTOLAND lets it arm with such a plan (3), and
 // leaves RTL without a landing; by default (0) its own checks fail while it holds such a plan, which it says each 30 s.

@@ -181,7 +181,7 @@ void px4::begin_mission() {
   announce_mission();
 }
 
-// Behind the return of a mission, too: it is finished as that begins. Who is told where to go on meanwhile goes there.
+// After the return of a mission, too: it is finished as that begins. Who is told where to go on meanwhile goes there.
 void px4::refuse_finished_mission() {
   say_tabbed(mav_severity::critical, "No valid mission available, loitering");
   holds_at_ns_ = now().world_ns + holds_after_ns;
@@ -228,7 +228,7 @@ void px4::finish_on_ground() {
     return disarm_by("landing");
   enter_by_failsafe(mode_kind::hold);
   static_cast<void>(with().tells.send(mavlink::current_mode::message_id, now().world_ns)); // it is known
-  disarms_at_ns_ = now().world_ns + disarms_behind_hold_ns;
+  disarms_at_ns_ = now().world_ns + disarms_after_hold_ns;
 }
 
 // A camera may still be triggered along the way; whoever has one is to stop.

@@ -43,7 +43,7 @@ public:
   static constexpr std::int64_t disarms_after_ns = 10 * ns_per_s;       // COM_DISARM_PRFLT, without a take-off; outside
   static constexpr std::int64_t holds_after_ns = 400'000'000;           // a finished mission, in flight
   static constexpr std::int64_t checks_after_restart_ns = 6 * ns_per_s; // 3 s after it is heard again
-  static constexpr std::int64_t disarms_behind_hold_ns = 170'000'000;
+  static constexpr std::int64_t disarms_after_hold_ns = 170'000'000;
 
 protected:
   [[nodiscard]] std::optional<refusal> why_not_arm(bool forced) const override;
@@ -83,7 +83,7 @@ private:
   void say_tabbed(mavlink::mav_severity severity, const std::string& text) { say(severity, text + '\t'); }
 
   repeated_reached reached_;
-  bool says_complete_ = false; // it stands behind a landing, whoever landed it
+  bool says_complete_ = false; // it stands after a landing, whoever landed it
   stale_messages stale_messages_;
   stick_loss sticks_;
   std::int64_t heard_station_ns_ = -1; // real time

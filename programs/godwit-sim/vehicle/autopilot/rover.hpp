@@ -54,7 +54,7 @@ private:
 
 // ArduPilot's Rover.
 //
-// It can be armed in any mode, and drives off when it is armed in AUTO. Behind its last item it stays there, armed and
+// It can be armed in any mode, and drives off when it is armed in AUTO. After its last item it stays there, armed and
 // standing (MIS_DONE_BEHAVE 0), and says that its mission is complete; after a return it stays in RTL. It never
 // disarms itself. Thread: one at a time. Source: recordings of ArduRover 4.7; Rover/mode_auto.cpp.
 class ardu_rover final : public ardupilot {

@@ -10,7 +10,7 @@
 //   [item_skipped ...]              commands that their CONDITION_DELAY has held back until now
 //   item_begun of the next | mission_completed
 //
-// The commands behind an item begin when it is reached, and a delay among them runs on the way to the next. Thread: one
+// The commands after an item begin when it is reached, and a delay among them runs on the way to the next. Thread: one
 // at a time. Source: seen of ArduCopter 4.7.0-dev and PX4 1.18.0-beta1.
 #pragma once
 
@@ -79,7 +79,7 @@ public:
   void resume();
   // One step: begins what is new, moves the vehicle.
   void step(mover& vehicle, position& home, double step_s, happenings& said);
-  // Behind the step: whether the item is done, and what then is the next one.
+  // After the step: whether the item is done, and what then is the next one.
   void settle(const mover& vehicle, position& home, happenings& said);
   // The next step would change nothing but the vehicle's motion.
   [[nodiscard]] bool is_settled() const;

@@ -150,7 +150,7 @@ TEST(control_authority, who_was_said_to_have_taken_it_by_somebody_else_is_no_fai
   EXPECT_EQ(who.who(), holder::person);
 }
 
-TEST(control_authority, the_words_of_a_failsafe_before_a_hand_back_explain_nothing_behind_it) {
+TEST(control_authority, the_words_of_a_failsafe_before_a_hand_back_explain_nothing_after_it) {
   auto who = in_flight();
   who.on_text(copter, "GCS Failsafe", 0);
   who.begin(automatic);
@@ -166,7 +166,7 @@ TEST(control_authority, on_the_way_to_the_last_item_a_hold_is_a_persons) {
   EXPECT_EQ(who.who(), holder::person);
 }
 
-TEST(control_authority, behind_the_last_item_the_hold_into_which_the_plan_leads_is_nobodys_takeover) {
+TEST(control_authority, after_the_last_item_the_hold_into_which_the_plan_leads_is_nobodys_takeover) {
   auto who = near_its_end();
   who.on_mode(px4, px4_hold, false, s);
   who.on_place(last_item, true, s + s / 10);

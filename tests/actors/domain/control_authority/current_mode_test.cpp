@@ -158,7 +158,7 @@ TEST(current_mode, a_vehicle_that_does_not_tell_what_was_asked_for_is_judged_by_
   EXPECT_EQ(who.who(), holder::person);
 }
 
-TEST(current_mode, behind_a_restart_a_return_that_nobody_has_asked_for_is_the_autopilots) {
+TEST(current_mode, after_a_restart_a_return_that_nobody_has_asked_for_is_the_autopilots) {
   control_authority who;
   who.resume({mission.custom_mode}, 0);
   tell(who, returning, mission, s / 2);

@@ -23,7 +23,7 @@ constexpr std::uint32_t px4_return = 4U << 16U | 5U << 24U;
 
 plan_end end_of(const mode_owner& whose, mav_cmd last) { return plan_end_of(whose, number(last), 7); }
 
-TEST(mode_tables, an_ardupilot_copter_and_rover_stay_in_auto_behind_any_last_item) {
+TEST(mode_tables, an_ardupilot_copter_and_rover_stay_in_auto_after_any_last_item) {
   for (const auto& whose : {copter, rover})
     for (const auto last : {mav_cmd::nav_waypoint, mav_cmd::nav_land, mav_cmd::nav_return_to_launch})
       EXPECT_EQ(end_of(whose, last).modes, modes());
@@ -41,7 +41,7 @@ TEST(mode_tables, a_px4_returns_as_its_return_begins_and_holds_when_another_plan
   EXPECT_EQ(end_of(px4, mav_cmd::nav_waypoint), (plan_end{7, false, {px4_hold_number}}));
 }
 
-TEST(mode_tables, behind_the_landing_of_a_px4_it_may_hold_until_it_is_disarmed) {
+TEST(mode_tables, after_the_landing_of_a_px4_it_may_hold_until_it_is_disarmed) {
   EXPECT_EQ(end_of(px4, mav_cmd::nav_land), (plan_end{7, false, {px4_hold_number}}));
 }
 

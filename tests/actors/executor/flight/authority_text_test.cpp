@@ -34,7 +34,7 @@ TEST(authority_text, while_it_is_watched_it_is_who_the_modes_say) {
   }
 }
 
-TEST(authority_text, what_waits_for_a_hand_back_is_who_had_it_also_behind_the_landing) {
+TEST(authority_text, what_waits_for_a_hand_back_is_who_had_it_also_after_the_landing) {
   stands s;
   for (const auto& [cause, text] : {std::pair{pause_cause::taken_over, "person"},
                                     {pause_cause::failsafe, "failsafe"},

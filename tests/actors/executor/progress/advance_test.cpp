@@ -34,7 +34,7 @@ TEST_P(advance_any, an_item_that_mission_current_moves_past_is_done_and_inferred
             (texts{"reached A#0 g1 inferred", "reached B#1 g1 inferred", "reached C#2 g1 inferred", "started D#3 g1"}));
 }
 
-TEST_P(advance_any, a_reached_behind_the_mission_current_of_the_next_item_is_not_inferred) {
+TEST_P(advance_any, a_reached_after_the_mission_current_of_the_next_item_is_not_inferred) {
   d.fly({"A", "B"});
   d.current(1);
   d.wait_ms(650);
@@ -91,7 +91,7 @@ TEST_P(advance_any, an_item_of_several_vehicle_items_is_done_with_its_last_movem
   EXPECT_EQ(d.said(), texts{"started survey#0 g1"});
   d.reached(2);
   EXPECT_EQ(d.said(), texts{"reached survey#0 g1"});
-  d.current(3); // a command behind it
+  d.current(3); // a command after it
   d.current(4);
   EXPECT_EQ(d.said(), texts{"started home#1 g1"});
 }
@@ -130,7 +130,7 @@ TEST_P(advance_any, the_mission_is_complete_when_the_vehicle_says_so_of_our_plan
   d.current(1, mission_state::complete);
   EXPECT_EQ(d.said(), texts{});
   d.wait_ms(300);
-  d.reached(1); // came behind it
+  d.reached(1); // came after it
   EXPECT_EQ(d.said(), (texts{"reached B#1 g1", "complete g1"}));
 }
 
@@ -266,7 +266,7 @@ TEST_P(advance_any, an_act_is_passed_and_what_the_vehicle_passes_over_is_skipped
             (texts{"reached A#0 g1", "passed act#1 g1 inferred", "skipped over#2 g1 inferred", "started B#3 g1"}));
 }
 
-// As of a DO behind a waypoint: PX4 and ArduPilot have room for one of the two.
+// As of a DO after a waypoint: PX4 and ArduPilot have room for one of the two.
 TEST_P(advance_any, a_reached_of_an_act_in_place_of_its_waypoint_tells_of_neither_what_was_not_flown) {
   d.upload(with_roles(d.vehicle));
   d.current(0);
@@ -282,7 +282,7 @@ TEST_P(advance_any, a_reached_of_an_act_in_place_of_its_waypoint_tells_of_neithe
                              "started B#3 g1"}));
 }
 
-// A, B, a jump from behind B to A, C.
+// A, B, a jump from after B to A, C.
 plan_map looped(const flavour& vehicle, const texts& ids = {"A", "B", "jump", "C"}) {
   auto map = map_of(vehicle, ids);
   map.items[2].role = item_role::acts;

@@ -2,7 +2,7 @@
 //
 // Numbers without a gap; no generation before the newest; within a generation an index that never goes back and no item
 // missing or twice; nothing reached that was not flown in that generation; reached what the vehicle was seen to have
-// left; `complete` once for each revision, and behind the last item; each assignment answered once, with the report
+// left; `complete` once for each revision, and after the last item; each assignment answered once, with the report
 // before. Thread: one owner.
 #pragma once
 

@@ -138,7 +138,7 @@ TEST(follow, a_reached_during_an_upload_has_to_count_when_it_is_said) {
   d.current(0);
   d.said();
   d.intend(map_of(px4, {"X"}, 1));
-  d.reached(0); // just behind the start: of the flight before it, perhaps
+  d.reached(0); // just after the start: of the flight before it, perhaps
   d.wait_s(3);
   d.current(0);
   EXPECT_EQ(d.said(), texts{});

@@ -154,7 +154,7 @@ void model_vehicle::mark(std::uint16_t sequence) {
     runs_.back().was_flown[*position] = true;
 }
 
-// Commands take no time. Behind the last movement the mission is complete.
+// Commands take no time. After the last movement the mission is complete.
 void model_vehicle::pass_commands() {
   const auto end = end_sequence(plan_->map);
   auto next = sequence_;

@@ -1,7 +1,7 @@
 // A vehicle that flies plans item by item, and a line to it that loses, repeats and delays what it says. It knows what
 // it has really flown.
 //
-// PX4-like: goes on with a new plan by itself, repeats MISSION_ITEM_REACHED, sends it before or behind the next
+// PX4-like: goes on with a new plan by itself, repeats MISSION_ITEM_REACHED, sends it before or after the next
 // MISSION_CURRENT, and just after a switch tells old news; a set-current to the item where it has completed the mission
 // changes nothing for it, unless it was held. The others stop at an upload and say REACHED once. A plan with the
 // content that they have changes nothing for a PX4, and for another one that flies it and keeps ids. Thread: one owner.

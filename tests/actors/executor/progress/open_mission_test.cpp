@@ -68,7 +68,7 @@ mission::progress_report report_of_before(mission::progress_kind kind) {
   return result;
 }
 
-TEST(open_mission, behind_a_lost_journal_numbers_and_generations_go_on_behind_those_of_the_service) {
+TEST(open_mission, after_a_lost_journal_numbers_and_generations_go_on_after_those_of_the_service) {
   progress_fixture d;
   d.take(earlier_reports_told{"lost", 12, report_of_before(mission::progress_kind::reached)});
   d.take(earlier_reports_told{"lost", 3, {}}); // an older answer

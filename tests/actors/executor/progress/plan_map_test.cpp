@@ -58,10 +58,10 @@ TEST(plan_map, an_item_is_done_with_its_last_movement_and_else_with_its_last_com
   EXPECT_EQ(done_sequence(map.items[1]), 2U);
   EXPECT_EQ(done_sequence(map.items[3]), 4U);
   EXPECT_EQ(done_sequence(map.items[5]), 6U);
-  EXPECT_EQ(done_sequence({"w", 0, 5, 3, 5, 6}), 6U); // what stands behind the movement takes no time
+  EXPECT_EQ(done_sequence({"w", 0, 5, 3, 5, 6}), 6U); // what stands after the movement takes no time
 }
 
-TEST(plan_map, an_item_is_passed_when_the_vehicle_is_behind_what_it_is_done_with) {
+TEST(plan_map, an_item_is_passed_when_the_vehicle_is_past_it) {
   const auto map = picture();
   EXPECT_FALSE(is_passed(map.items[3], 4));
   EXPECT_TRUE(is_passed(map.items[3], 5));

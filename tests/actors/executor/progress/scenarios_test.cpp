@@ -58,7 +58,7 @@ TEST_P(assignment_in_flight, after_b_is_reached_both_are_reported_and_told_apart
   EXPECT_EQ(d.reports.back().revision, 2);
 }
 
-TEST_P(assignment_in_flight, after_b_is_reached_and_with_more_of_the_mission_behind_it) {
+TEST_P(assignment_in_flight, after_b_is_reached_and_with_more_of_the_mission_after_it) {
   d.fly({"A", "B", "C"});
   d.reached(0);
   d.current(1);

@@ -93,7 +93,7 @@ TEST_P(start_any, old_news_that_was_held_is_no_news_when_a_start_is_refused) {
   EXPECT_EQ(d.said(), texts{});
 }
 
-TEST_P(start_any, a_reached_behind_the_place_of_a_start_may_be_of_it_and_does_not_count_before_its_answer) {
+TEST_P(start_any, a_reached_after_the_place_of_a_start_may_be_of_it_and_does_not_count_before_its_answer) {
   d.start_at(2);
   d.current(2);
   d.reached(2);
@@ -135,7 +135,7 @@ TEST_P(start_any, going_back_reports_again_and_forward_over_what_was_done_skips_
   EXPECT_EQ(d.said(), texts{"skipped C#2 g3"});
 }
 
-TEST_P(start_any, the_old_sequence_behind_a_start_counts_nothing) {
+TEST_P(start_any, the_old_sequence_after_a_start_counts_nothing) {
   d.start_at(0);
   d.started();
   d.current(0);
@@ -146,7 +146,7 @@ TEST_P(start_any, the_old_sequence_behind_a_start_counts_nothing) {
   EXPECT_EQ(d.s.plan->generation.current, d.sequence(0));
 }
 
-TEST(start, a_reached_that_is_only_repeated_behind_a_start_counts_nothing) {
+TEST(start, a_reached_that_is_only_repeated_after_a_start_counts_nothing) {
   progress_fixture d;
   d.fly({"A", "B"});
   d.reached(0);
@@ -201,7 +201,7 @@ TEST(start, an_item_that_is_flown_again_at_once_is_inferred_because_its_reached_
             (texts{"started A#0 g2", "reached A#0 g2 inferred", "started B#1 g2", "reached B#1 g2", "complete g2"}));
 }
 
-TEST(start, a_vehicle_without_ids_says_reached_once_and_it_counts_behind_a_start_too) {
+TEST(start, a_vehicle_without_ids_says_reached_once_and_it_counts_after_a_start_too) {
   progress_fixture d(ardupilot);
   d.fly({"A", "B"});
   d.reached(0);
@@ -214,7 +214,7 @@ TEST(start, a_vehicle_without_ids_says_reached_once_and_it_counts_behind_a_start
   EXPECT_EQ(d.said(), (texts{"started A#0 g2", "reached A#0 g2"}));
 }
 
-TEST_P(start_any, where_the_vehicle_is_sent_back_to_commands_it_is_seen_behind_them_and_that_is_held) {
+TEST_P(start_any, where_the_vehicle_is_sent_back_to_commands_it_is_seen_after_them_and_that_is_held) {
   auto map = map_of(d.vehicle, {"light", "X"}, 4);
   map.items[0].first_nav_sequence.reset();
   map.items[0].last_nav_sequence.reset();

@@ -66,7 +66,7 @@ TEST(supervision_table, only_who_shows_something_is_dispensable) {
     EXPECT_EQ(is_dispensable(text), shows.contains(std::string(text))) << text;
 }
 
-TEST(supervision_table, the_mission_client_is_essential_only_while_it_delivers_behind_a_flight) {
+TEST(supervision_table, the_mission_client_is_essential_only_while_it_delivers_after_a_flight) {
   EXPECT_FALSE(by_name(part::ground).at("mission_client").policy.essential);
   EXPECT_FALSE(by_name(part::flight).at("mission_client").policy.essential);
   EXPECT_TRUE(by_name(part::after).at("mission_client").policy.essential);

@@ -72,7 +72,7 @@ TEST_F(stick_watch_of_stations, an_axis_that_is_absent_is_not_looked_at) {
   EXPECT_FALSE(is_held({.x = absent, .y = absent, .z = absent, .r = absent}));
 }
 
-TEST_F(stick_watch_of_stations, stations_have_one_each_and_begin_anew_behind_a_silence) {
+TEST_F(stick_watch_of_stations, stations_have_one_each_and_begin_anew_after_a_silence) {
   EXPECT_FALSE(is_held({.z = 0}));
   EXPECT_FALSE(is_held({.z = 1000}, bert));
   EXPECT_FALSE(is_held({.z = 0}));

@@ -11,7 +11,7 @@ namespace godwit::odometer {
 
 class actor final : public runtime::durable_actor<handle, core> {
 public:
-  // The context is the runtime's business and is handed on; what the actor has to know comes behind it.
+  // The context is the runtime's business and is handed on; what the actor has to know comes after it.
   actor(runtime::spawn_context context, listener_handle listener)
       : durable_actor(std::move(context)), listener_(std::move(listener)) {}
 

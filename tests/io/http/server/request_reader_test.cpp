@@ -153,7 +153,7 @@ TEST(http_request_reader, a_line_that_two_readers_may_read_differently_stands_on
   EXPECT_EQ(reading().feed(posted("/", "Accept: a\r\nAccept: b\r\nContent-Length: 0\r\n", "")), progress::complete);
 }
 
-TEST(http_request_reader, headers_behind_a_chunked_body_are_not_looked_at) {
+TEST(http_request_reader, headers_after_a_chunked_body_are_not_looked_at) {
   reading it;
   ASSERT_EQ(it.feed(posted("/", "Transfer-Encoding: chunked\r\n", "0\r\nAuthorization: Bearer x\r\n\r\n")),
             progress::complete);

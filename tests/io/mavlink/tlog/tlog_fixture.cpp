@@ -27,7 +27,7 @@ temporary_folder::~temporary_folder() {
 reading read_all(const mcap::byte_source& source) {
   reading seen;
   tlog_reader reader(source);
-  std::uint64_t behind_last = 0;
+  std::uint64_t after_last = 0;
   for (;;) {
     const auto record = reader.next();
     if (!record)
@@ -38,11 +38,11 @@ reading read_all(const mcap::byte_source& source) {
     const message_info* const info = find_message(frame.id());
     EXPECT_EQ((*record)->is_verified, info != nullptr);
     EXPECT_TRUE(info == nullptr || crc_matches(frame, info->crc_extra));
-    EXPECT_GE((*record)->offset_bytes, behind_last);
-    behind_last = (*record)->offset_bytes + frame.size();
+    EXPECT_GE((*record)->offset_bytes, after_last);
+    after_last = (*record)->offset_bytes + frame.size();
     seen.records.push_back({(*record)->timestamp_us, to_hex(frame.bytes()), (*record)->is_verified});
   }
-  EXPECT_LE(behind_last, source.size_bytes());
+  EXPECT_LE(after_last, source.size_bytes());
   seen.counts = reader.counts();
   EXPECT_FALSE(reader.next()->has_value());
   EXPECT_EQ(seen.counts.frames + seen.counts.unknown_ids, seen.records.size());

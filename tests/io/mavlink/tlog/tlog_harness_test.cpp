@@ -60,7 +60,7 @@ struct loses_the_next : tlog_reader {
   }
 };
 
-TEST(tlog_harness, finds_a_reader_that_loses_a_frame_behind_a_broken_one) { EXPECT_TRUE(run<loses_the_next>()); }
+TEST(tlog_harness, finds_a_reader_that_loses_a_frame_after_a_broken_one) { EXPECT_TRUE(run<loses_the_next>()); }
 
 struct takes_the_time_of_the_last : tlog_reader {
   using tlog_reader::tlog_reader;

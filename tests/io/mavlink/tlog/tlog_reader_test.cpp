@@ -112,7 +112,7 @@ TEST(mavlink_tlog_reader, false_starts_cost_nothing) {
   }
 }
 
-TEST(mavlink_tlog_reader, several_frames_behind_one_time_are_all_given_with_it) {
+TEST(mavlink_tlog_reader, several_frames_after_one_time_are_all_given_with_it) {
   const auto seen = read_between([&](log_builder& log) {
     log.record(some_day_us + 3000, heartbeat_bytes()).raw(signed_heartbeat()).raw(heartbeat_bytes());
   });
@@ -171,7 +171,7 @@ TEST(mavlink_tlog_reader, the_log_of_a_computer_whose_clock_was_never_set_is_rea
             (std::vector<plain_record>{{1'000'000, hex_of_heartbeat()}, {3'000'000, hex_of_heartbeat()}}));
 }
 
-TEST(mavlink_tlog_reader, garbage_of_many_windows_is_passed_with_what_lies_behind_it) {
+TEST(mavlink_tlog_reader, garbage_of_many_windows_is_passed_with_what_lies_after_it) {
   byte_buffer garbage(5 * read_window::window_bytes + 3);
   std::mt19937_64 random(4);
   for (auto& each : garbage)
@@ -204,7 +204,7 @@ std::size_t bytes_of_records(const reading& seen) {
   return bytes;
 }
 
-// These in their order, but for what lies within a record that is none: a beginning of a frame that the bytes behind it
+// These in their order, but for what lies within a record that is none: a beginning of a frame that the bytes after it
 // make one of an unknown id, or, once in 65,536, one with a right checksum.
 bool is_whole_but_for(std::size_t unknown_frames, const std::vector<plain_record>& seen,
                       const std::vector<plain_record>& expected) {
@@ -260,7 +260,7 @@ namespace frame_shape_test {
 
 byte_buffer plain_heartbeat() { return from_hex("fd09000000ffbe000000000000001208000403211a"); }
 
-TEST(mavlink_frame_shape, a_right_frame_is_v2_also_with_more_bytes_behind_it) {
+TEST(mavlink_frame_shape, a_right_frame_is_v2_also_with_more_bytes_after_it) {
   auto bytes = plain_heartbeat();
   bytes.resize(bytes.size() + 5);
   const auto found = look(bytes);

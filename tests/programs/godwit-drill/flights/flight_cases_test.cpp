@@ -94,7 +94,7 @@ TEST(people_cases, are_each_mode_but_the_missions_in_each_part_of_a_flight) {
   expect_unique_names(all);
 }
 
-TEST(people_cases, a_person_who_takes_the_vehicle_is_left_alone_and_an_order_behind_them_is_found) {
+TEST(people_cases, a_person_who_takes_the_vehicle_is_left_alone_and_an_order_after_them_is_found) {
   const auto all = people_cases(every_vehicle);
   const auto& taken = named(all, "ardupilot/flying/STABILIZE");
   const auto outcome = taken.fly({});

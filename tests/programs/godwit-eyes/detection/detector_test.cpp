@@ -40,7 +40,7 @@ detector_settings settings_for(const suite_case& flight) {
   return settings;
 }
 
-// One flight: the score at an overlap of 0.25 behind the first second, and how often each reason was given.
+// One flight: the score at an overlap of 0.25 after the first second, and how often each reason was given.
 struct flown {
   test::score result;
   std::array<int, unusable_count> reasons{};
@@ -134,7 +134,7 @@ TEST(detector, places_a_mover_on_the_ground) {
 // --- reasons
 // ----------------------------------------------------------------------------------------------------------
 
-verdict behind_good_pictures(const sim::camera::sensor_settings& sensor) {
+verdict after_good_pictures(const sim::camera::sensor_settings& sensor) {
   const suite_case flight(sim::camera::tuning_seed(1), tier::a, of_size(640, 360));
   auto settings = flight.maker().world().settings();
   settings.sensor = sensor;
@@ -150,10 +150,10 @@ TEST(detector, says_dark_and_blurred) {
   sim::camera::sensor_settings sensor;
   sensor.noise = 1;
   sensor.brightness = 0.02;
-  EXPECT_EQ(behind_good_pictures(sensor).why, unusable::dark);
+  EXPECT_EQ(after_good_pictures(sensor).why, unusable::dark);
   sensor.brightness = 1;
   sensor.defocus_px = 5;
-  EXPECT_EQ(behind_good_pictures(sensor).why, unusable::blurred);
+  EXPECT_EQ(after_good_pictures(sensor).why, unusable::blurred);
 }
 
 TEST(detector, says_blank_and_repeated) {
@@ -189,7 +189,7 @@ TEST(detector, says_too_low_too_oblique_and_how_old_an_attitude_is) {
             unusable::bad_pose);
 }
 
-TEST(detector, has_few_features_on_water_and_begins_anew_behind_a_change_of_size) {
+TEST(detector, has_few_features_on_water_and_begins_anew_after_a_change_of_size) {
   detector eyes{detector_settings{}};
   std::vector<std::uint8_t> waves(640 * 360);
   for (std::size_t n = 0; n < 3; ++n) {

@@ -120,7 +120,7 @@ TEST(faulty_line, a_frame_that_is_held_back_is_overtaken_and_comes_all_the_same)
   EXPECT_NEAR(static_cast<double>(on.line.counters(way::in).reordered), 0.1 * many, 0.02 * many);
 }
 
-TEST(faulty_line, a_late_frame_comes_a_second_and_a_half_behind_those_that_overtake_it) {
+TEST(faulty_line, a_late_frame_comes_a_second_and_a_half_after_those_that_overtake_it) {
   listened_line on("late=0.1");
   on.send_many(way::in, many);
   EXPECT_EQ(on.arrivals.size(), static_cast<std::size_t>(many));

@@ -186,7 +186,7 @@ TEST(missions_faulty_delivery, a_body_that_is_cut_still_promises_all_of_it) {
   EXPECT_EQ(got.end, asio::error::connection_reset);
 }
 
-TEST(missions_faulty_delivery, padding_is_spaces_behind_the_body) {
+TEST(missions_faulty_delivery, padding_is_spaces_after_the_body) {
   auto padded = of_body("{}");
   padded.padding = 200'000;
   const auto got = arrival_of(padded);
@@ -196,7 +196,7 @@ TEST(missions_faulty_delivery, padding_is_spaces_behind_the_body) {
 
 TEST(missions_faulty_delivery, a_slow_answer_comes_late_and_whole) {
   auto slow = of_body("abc");
-  slow.bytes_per_s = 30; // a piece of three bytes, and a pause of 100 ms behind it
+  slow.bytes_per_s = 30; // a piece of three bytes, and a pause of 100 ms after it
   slow.delay = std::chrono::milliseconds(20);
   const auto begin = std::chrono::steady_clock::now();
   EXPECT_EQ(arrival_of(slow).body, "abc");

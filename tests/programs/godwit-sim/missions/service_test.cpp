@@ -252,7 +252,7 @@ TEST(missions_service, an_insert_gives_the_mission_at_its_next_revision) {
   EXPECT_EQ(rows_of(service.file(), mission_id, row_kind::change).size(), 2U);
 }
 
-TEST(missions_service, a_change_for_another_revision_or_behind_a_missing_item_is_409) {
+TEST(missions_service, a_change_for_another_revision_or_after_a_missing_item_is_409) {
   judged_service service;
   EXPECT_EQ(service.ask(posted("/waypoints", insert(1, 1, "n1"))).status, 409U);
   EXPECT_EQ(service.ask(posted("/waypoints", insert(2, 3, "n1"))).status, 409U);

@@ -131,8 +131,8 @@ TEST_F(trace_commands, flight_tells_what_people_ask_for_and_nothing_twice) {
             (std::vector<std::string>{
                 "godwitd begins (run 1)", "the vehicle is in hold, disarmed", "operator command: start (ann)",
                 "executor commands component_arm_disarm (1, 0)", "component_arm_disarm of executor: accepted",
-                "the vehicle is in mission, armed", "report 1: started a", "replan to revision 2: 3 items behind a",
-                "executor, incarnation 1: crashed: no such item", "replan to revision 2: 3 items behind a",
+                "the vehicle is in mission, armed", "report 1: started a", "replan to revision 2: 3 items after a",
+                "executor, incarnation 1: crashed: no such item", "replan to revision 2: 3 items after a",
                 "report 2: reached a", "godwitd begins (run 2)",
                 "a pilot has the vehicle; the failsafe warns and sends nothing", "report 3: complete a"}));
 }

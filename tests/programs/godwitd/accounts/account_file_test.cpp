@@ -139,7 +139,7 @@ TEST_F(account_files, a_change_of_the_file_counts_from_the_next_try_on) {
   EXPECT_NE(world.told[0].list[0].stamp, world.told[1].list[0].stamp);
 }
 
-TEST_F(account_files, tries_behind_a_failure_wait_and_too_many_of_one_address_are_not_taken) {
+TEST_F(account_files, tries_after_a_failure_wait_and_too_many_of_one_address_are_not_taken) {
   add("anna", "correct horse");
   keeper_world world(file);
   EXPECT_FALSE(world.ask("anna", "wrong horse"));

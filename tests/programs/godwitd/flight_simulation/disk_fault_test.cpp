@@ -79,7 +79,7 @@ TEST_P(disk_fault, does_not_keep_the_vehicle_from_being_held) {
   EXPECT_EQ(flaw_of_reports(flight), "") << flight.story();
 }
 
-TEST_P(disk_fault, leaves_a_pause_the_last_word_behind_a_resume_that_waited) {
+TEST_P(disk_fault, leaves_a_pause_the_last_word_after_a_resume_that_waited) {
   fly_past("w1");
   flight.say(operators::command_kind::pause);
   EXPECT_TRUE(flight.run_until_phase(phase::paused, 10)) << flight.story();
@@ -111,7 +111,7 @@ TEST_P(disk_fault, for_good_ends_nothing_and_the_plan_is_flown_to_its_end) {
 }
 
 // Who resumed has gone home meanwhile: nobody expects the vehicle to move.
-TEST_P(disk_fault, behind_which_it_writes_again_after_a_while_sends_nothing_that_is_late) {
+TEST_P(disk_fault, after_which_it_writes_again_after_a_while_sends_nothing_that_is_late) {
   fly_past("w1");
   flight.say(operators::command_kind::pause);
   ASSERT_TRUE(flight.run_until_phase(phase::paused, 10)) << flight.story();

@@ -41,7 +41,7 @@ bool is_complete(flight_simulation& flight, const std::string& mission_id) {
   return !reports.empty() && reports.back().kind == mission::progress_kind::complete;
 }
 
-// An operator who starts what is ready, and lets go on what waits behind a restart.
+// An operator who starts what is ready, and lets go on what waits after a restart.
 void help(flight_simulation& flight) {
   const auto& at = flight.status();
   if (!flight.vehicle().describe().in_air)
@@ -121,7 +121,7 @@ TEST_P(mission_series, twenty_in_a_row_with_thirty_kills_are_complete_and_their_
             << flight.now_ns() / 1'000'000'000 << " s of flight\n";
 }
 
-TEST_P(mission_series, behind_a_mission_that_was_called_off_the_next_waits_for_a_person_also_with_automatic) {
+TEST_P(mission_series, after_a_mission_that_was_called_off_the_next_waits_for_a_person_also_with_automatic) {
   flight_simulation flight({.who = GetParam(), .takes_next = true});
   const auto ids = add_missions(flight, 2);
   ASSERT_TRUE(flight.run_until([&] { return flight.reports_of(ids[0]).size() >= 3; }, 120)) << flight.story();

@@ -51,7 +51,7 @@ TEST_P(process_kill, at_any_commit_of_a_flight_loses_and_doubles_nothing) {
 // Nobody knows of the flight then, and people may stand where it has come down.
 class lost_journal : public testing::TestWithParam<sim::personality> {};
 
-TEST_P(lost_journal, of_a_flight_under_way_starts_nothing_behind_its_landing_until_a_person_says_so) {
+TEST_P(lost_journal, of_a_flight_under_way_starts_nothing_after_its_landing_until_a_person_says_so) {
   flight_simulation flight({.who = GetParam()});
   const auto is_under_way = [&] {
     const auto seen = flight.vehicle().describe();
@@ -103,7 +103,7 @@ TEST_P(lost_journal, of_a_flight_that_is_over_does_not_fly_it_again) {
 // the next process takes it for a pilot's, and waits for a person without a reason that is true.
 class killed_in_resume : public testing::TestWithParam<sim::personality> {};
 
-TEST_P(killed_in_resume, right_behind_its_mode_nobody_is_taken_to_have_the_vehicle) {
+TEST_P(killed_in_resume, right_after_its_mode_nobody_is_taken_to_have_the_vehicle) {
   constexpr std::uint64_t orders_of_events = 4; // drawn by the seed
   constexpr double sync_s = 0.5;                // else all that is told at one time is on the disk at once
   for (std::uint64_t seed = 1; seed <= orders_of_events; ++seed) {

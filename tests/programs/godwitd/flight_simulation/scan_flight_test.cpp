@@ -74,7 +74,7 @@ TEST_F(scan_flight, what_is_seen_is_shown_to_people_and_their_decision_reaches_t
   EXPECT_NE(rows_of(row_kind::observation)[2].find("ignored"), std::string::npos);
 }
 
-TEST_F(scan_flight, nobody_looks_for_points_before_the_flight_and_behind_it) {
+TEST_F(scan_flight, nobody_looks_for_points_before_the_flight_and_after_it) {
   ASSERT_TRUE(flight.run_until_phase(phase::ready, 120)) << flight.story();
   EXPECT_FALSE(flight.process()->points());
   EXPECT_FALSE(flight.process()->look_at("scan_controller").wanted);

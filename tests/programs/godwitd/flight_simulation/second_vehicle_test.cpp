@@ -39,7 +39,7 @@ protected:
   flight_simulation flight{{.who = GetParam()}};
 };
 
-TEST_P(second_vehicle, is_not_taken_for_the_one_that_is_flown_behind_a_kill) {
+TEST_P(second_vehicle, is_not_taken_for_the_one_that_is_flown_after_a_kill) {
   ASSERT_TRUE(flight.run_until([&] { return !flight.reports().empty(); }, 120)) << flight.story();
   flight.kill_process();
   flight.run_for(0.5);

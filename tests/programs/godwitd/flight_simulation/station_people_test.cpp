@@ -97,7 +97,7 @@ TEST_P(station_people, arming_through_a_station_makes_the_vehicle_its_persons_be
   ASSERT_TRUE(arm());
   EXPECT_EQ(flight.status().cause, pause_cause::taken_over) << flight.story();
   EXPECT_EQ(flight.station().result_of(mav_cmd::component_arm_disarm), 0) << "the vehicle's own answer";
-  flight.run_for(0.1); // its arming is behind it
+  flight.run_for(0.1); // its arming is after it
   const auto since_ns = flight.now_ns();
   flight.say(operators::command_kind::start);
   flight.run_for(5);
@@ -128,7 +128,7 @@ TEST_P(station_people, the_mission_mode_and_then_the_arm_of_one_station_fly) {
   EXPECT_EQ(flaw_of_reports(flight), "") << flight.story();
 }
 
-TEST_P(station_people, a_return_by_a_station_is_the_autopilots_at_once_and_nothing_is_sent_behind_it) {
+TEST_P(station_people, a_return_by_a_station_is_the_autopilots_at_once_and_nothing_is_sent_after_it) {
   ASSERT_TRUE(start());
   flight.run_for(5);
   set_mode(godwit::flight::mode_kind::returning);

@@ -107,7 +107,7 @@ TEST_F(supervised, on_the_ground_another_actor_that_is_given_up_keeps_the_flight
   EXPECT_TRUE(flight.was_told("mapobjects_store is given up")) << flight.story();
 }
 
-TEST_F(supervised, in_flight_an_actor_that_is_not_essential_is_given_up_and_is_back_behind_the_landing) {
+TEST_F(supervised, in_flight_an_actor_that_is_not_essential_is_given_up_and_is_back_after_the_landing) {
   for (const auto* actor : {"mapobjects_store", "mission_client", "ground_port"}) {
     flight_simulation other({.who = sim::personality::px4, .speed = 2, .is_shuffled = false});
     ASSERT_TRUE(other.run_until_phase(phase::flying, 120)) << other.story();
@@ -195,7 +195,7 @@ TEST_F(supervised, without_an_executor_the_link_and_the_failsafe_go_on) {
 }
 
 // Nobody counts the landing then; the next process has an executor that reports what was flown.
-TEST_F(supervised, behind_a_landing_without_an_executor_the_process_ends_once_and_the_next_one_has_one) {
+TEST_F(supervised, after_a_landing_without_an_executor_the_process_ends_once_and_the_next_one_has_one) {
   take_off();
   ASSERT_NO_FATAL_FAILURE(give_up_twice("executor"));
   const auto since_ns = flight.now_ns();
@@ -224,7 +224,7 @@ TEST_F(supervised, an_executor_that_was_given_up_under_a_pilot_comes_back_when_t
   EXPECT_FALSE(flight.vehicle().describe().armed) << flight.story();
 }
 
-// Behind a flight: who delivers and who would fly again is essential, and the others do without each other.
+// After a flight: who delivers and who would fly again is essential, and the others do without each other.
 TEST_F(supervised, after_the_flight_each_child_that_is_given_up_ends_the_process_when_it_is_essential) {
   for (const auto* actor :
        {"vehicle_link", "failsafe", "executor", "mission_client", "ground_port", "mapobjects_store"}) {
@@ -274,7 +274,7 @@ TEST_F(supervised, two_actors_given_up_at_once_in_flight_end_the_process_once) {
   EXPECT_EQ(flaw_of_reports(flight), "") << flight.story();
 }
 
-TEST_F(supervised, behind_ten_abnormal_ends_in_flight_only_what_flies_runs_until_the_landing) {
+TEST_F(supervised, after_ten_abnormal_ends_in_flight_only_what_flies_runs_until_the_landing) {
   take_off();
   for (int n = 0; n < 11; ++n) {
     flight.kill_process();

@@ -50,7 +50,7 @@ TEST_F(views, a_report_has_the_word_of_each_part_of_a_flight) {
   EXPECT_NE(health::json_of(*now).find("\"authority\":\"godwit\""), std::string::npos);
 }
 
-TEST_F(views, before_and_behind_a_flight_nobody_has_the_vehicle) {
+TEST_F(views, before_and_after_a_flight_nobody_has_the_vehicle) {
   flight.run_for(2);
   EXPECT_EQ(report()->flight->authority, "nobody");
   ASSERT_TRUE(flight.run_until_phase(phase::done)) << flight.story();

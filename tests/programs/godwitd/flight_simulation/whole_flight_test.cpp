@@ -51,7 +51,7 @@ TEST_P(whole_flight, a_mission_is_fetched_uploaded_flown_and_told_once_and_in_or
   EXPECT_FALSE(flight.vehicle().describe().in_air) << flight.story();
 }
 
-TEST_P(whole_flight, what_was_seen_on_the_way_is_delivered_once_behind_the_flight) {
+TEST_P(whole_flight, what_was_seen_on_the_way_is_delivered_once_after_the_flight) {
   ASSERT_TRUE(flight.run_until_phase(phase::flying, 120)) << flight.story();
   mapobjects_store::sighting seen;
   seen.id = test::sighting_id(1);

@@ -99,7 +99,7 @@ TEST_F(ledger_test, in_flight_no_number_of_abnormal_ends_refuses_a_start) {
     ASSERT_TRUE(crash_in_flight(n).may_start) << n;
 }
 
-TEST_F(ledger_test, in_flight_a_run_behind_ten_abnormal_ends_is_reduced_and_says_so) {
+TEST_F(ledger_test, in_flight_a_run_after_ten_abnormal_ends_is_reduced_and_says_so) {
   for (int n = 1; n <= 10; ++n)
     EXPECT_FALSE(crash_in_flight(n).is_reduced) << n;
   const auto verdict = crash_in_flight(11);

@@ -24,7 +24,7 @@ public:
 };
 
 // captures/rover_end.tlog, ardurover_mission.tlog.
-TEST(ardu_rover, stays_armed_in_auto_behind_its_last_item_and_says_that_its_mission_is_complete) {
+TEST(ardu_rover, stays_armed_in_auto_after_its_last_item_and_says_that_its_mission_is_complete) {
   ardurover_with world(2);
   ASSERT_EQ(world.arm(), mav_result::accepted);
   ASSERT_EQ(world.command(mav_cmd::mission_start), mav_result::accepted);

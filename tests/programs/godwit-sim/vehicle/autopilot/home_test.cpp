@@ -52,7 +52,7 @@ TEST(home, is_told_by_an_ardupilot_as_arming_moves_it) {
   EXPECT_EQ(world.each<mavlink::home_position>().size(), 1U);
 }
 
-TEST(home, stays_in_the_middle_of_a_px4s_mission_and_moves_behind_its_end) {
+TEST(home, stays_in_the_middle_of_a_px4s_mission_and_moves_after_its_end) {
   moved_vehicle world(personality::px4);
   EXPECT_LT(world.home_moved_m(), 0.1);
   ASSERT_TRUE(world.make_ready());

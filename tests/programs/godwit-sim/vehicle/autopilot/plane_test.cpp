@@ -13,7 +13,7 @@ constexpr float plane_loiter = 12;
 constexpr float take_off = 13;
 constexpr float guided = 15;
 
-// Home, a take-off, two waypoints; and what each test puts behind them.
+// Home, a take-off, two waypoints; and what each test puts after them.
 class plane_with : public vehicle_world {
 public:
   explicit plane_with(const plan& rest = {}) : vehicle_world(personality::plane) {
@@ -46,7 +46,7 @@ TEST(plane, calls_itself_a_fixed_wing_of_ardupilot) {
   EXPECT_EQ(world.last<mavlink::heartbeat>()->autopilot, mavlink::number(mavlink::mav_autopilot::ardupilotmega));
 }
 
-TEST(plane, changes_to_rtl_by_itself_behind_a_last_waypoint_and_circles_over_home_for_ever) {
+TEST(plane, changes_to_rtl_by_itself_after_a_last_waypoint_and_circles_over_home_for_ever) {
   plane_with world;
   ASSERT_TRUE(world.fly_to(3));
   ASSERT_TRUE(world.run_until([&] { return world.is_in("RTL"); }, 120 * s));

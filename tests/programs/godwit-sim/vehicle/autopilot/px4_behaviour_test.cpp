@@ -8,7 +8,7 @@ namespace godwit::sim {
 
 namespace stale_messages_test {
 
-TEST(stale_messages, is_told_before_or_behind_the_acknowledgement_or_not_at_all) {
+TEST(stale_messages, is_told_before_or_after_the_acknowledgement_or_not_at_all) {
   std::mt19937_64 random(1);
   std::set<std::string> seen;
   for (int i = 0; i < 200; ++i) {

@@ -172,7 +172,7 @@ TEST(sim_mission_pilot, a_new_home_is_where_a_return_leads) {
   EXPECT_LT(between(it.vehicle.where().where, moved(home, {90, 20})).distance_m, 2.1);
 }
 
-TEST(sim_mission_pilot, condition_delay_holds_back_the_commands_behind_it) {
+TEST(sim_mission_pilot, condition_delay_holds_back_the_commands_after_it) {
   auto it = rover();
   it.follow({waypoint(20, 0), command(condition_delay, 5), command(186), waypoint(100, 0)});
   ASSERT_TRUE(it.run_until_said("skipped 2: command 186 is not known"));

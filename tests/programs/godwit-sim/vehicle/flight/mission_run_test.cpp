@@ -109,7 +109,7 @@ TEST(sim_mission_run, home_at_item_0_is_not_flown) {
   EXPECT_TRUE(loaded({waypoint(0, 0)}, 1).is_empty());
 }
 
-TEST(sim_mission_run, it_ends_behind_the_last_item_that_was_asked_for) {
+TEST(sim_mission_run, it_ends_after_the_last_item_that_was_asked_for) {
   auto run = loaded(three);
   run.start(0, 1);
   EXPECT_EQ(walk(run), (std::vector{0, 1}));
@@ -137,7 +137,7 @@ TEST(sim_mission_run, at_the_end_the_last_item_stays_current) {
   EXPECT_EQ(run.current(), 1);
 }
 
-TEST(sim_mission_run, the_commands_behind_a_nav_item_belong_to_it) {
+TEST(sim_mission_run, the_commands_after_a_nav_item_belong_to_it) {
   auto run = loaded({waypoint(1, 0), command(201), command(do_change_speed), waypoint(2, 0)});
   run.start(0);
   EXPECT_EQ(run.commands_end(), 3);
@@ -150,7 +150,7 @@ TEST(sim_mission_run, the_commands_in_front_of_the_first_nav_item_come_one_by_on
   EXPECT_EQ(walk(run), (std::vector{0, 1, 2}));
 }
 
-TEST(sim_mission_run, commands_behind_the_bound_belong_to_nobody) {
+TEST(sim_mission_run, commands_beyond_the_bound_belong_to_nobody) {
   auto run = loaded({waypoint(1, 0), command(201), waypoint(2, 0)});
   run.start(0, 0);
   EXPECT_EQ(run.commands_end(), 1);
@@ -264,14 +264,14 @@ TEST(sim_mission_run, a_jump_to_no_item_is_passed_over) {
   }
 }
 
-TEST(sim_mission_run, a_jump_behind_the_bound_ends_the_mission) {
+TEST(sim_mission_run, a_jump_beyond_the_bound_ends_the_mission) {
   auto run = loaded({waypoint(1, 0), jump_to(2, 1), waypoint(2, 0)});
   run.start(0, 1);
   EXPECT_EQ(walk(run), (std::vector{0}));
   EXPECT_EQ(run.state(), run_state::completed);
 }
 
-TEST(sim_mission_run, commands_behind_a_jump_that_is_taken_wait_for_the_end_of_the_jumps) {
+TEST(sim_mission_run, commands_after_a_jump_that_is_taken_wait_for_the_end_of_the_jumps) {
   auto run = loaded({waypoint(1, 0), jump_to(0, 1), command(201), waypoint(2, 0)});
   run.start(0);
   EXPECT_EQ(run.commands_end(), 1);

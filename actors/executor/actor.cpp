@@ -98,10 +98,10 @@ actor::behavior_type actor::handlers() {
         after_turn();
       }),
       on<scan_controller::point_shown>([this](const scan_controller::point_shown& m) {
-        carry_out(announce{sentence_about(m), false});
+        execute(announce{sentence_about(m), false});
       }),
       on<scan_controller::point_closed>([this](const scan_controller::point_closed& m) {
-        carry_out(announce{sentence_about(m), false});
+        execute(announce{sentence_about(m), false});
       }),
       on<tick>([this](const tick& due) {
         if (due.incarnation != incarnation_number())
@@ -129,7 +129,7 @@ void actor::started() {
   at_end([this] { world_.on_phase_status(current_state().status); });
   supervise();
   read_host_status();
-  carry_out(core_->on_start(incarnation_number() == 1));
+  execute(core_->on_start(incarnation_number() == 1));
   ask(
       others_->vehicle, command_patience, vehicle_link::get_connection{},
       [this](const vehicle_link::connection& m) {
@@ -269,7 +269,7 @@ void actor::ask_for_children() {
 void actor::greet_returned() {
   for (const auto& name : supervisor_->take_returned()) {
     if (name == "mission_client")
-      carry_out(core_->on_client_back());
+      execute(core_->on_client_back());
     else if (name == "ground_port")
       core_->on_port_back();
     else if (name == "scan_controller" || name == "movement_detector")
@@ -293,23 +293,23 @@ void actor::tell_survey() {
 // A person who has the vehicle keeps it. What is decided here counts for the whole flight.
 void actor::miss_failsafe() {
   commit(supervision::failsafe_missed{});
-  carry_out(announce{"the failsafe can not be kept up: nobody watches fences, battery and links; no new plan is flown",
-                     true});
+  execute(announce{"the failsafe can not be kept up: nobody watches fences, battery and links; no new plan is flown",
+                   true});
   if (settings_.failsafe_gone != failsafe_gone_policy::come_home)
     return;
   if (core_->is_coming_down())
-    return carry_out(announce{"the failsafe is gone; the vehicle comes down already, and is left to it", true});
+    return execute(announce{"the failsafe is gone; the vehicle comes down already, and is left to it", true});
   operators::command command;
   command.kind = operators::command_kind::come_home;
   command.by = actor_name();
   const auto answer = core_->on_operator(command, now());
-  carry_out(answer.is_taken ? announce{"the vehicle returns because the failsafe is gone", true}
-                            : announce{"the vehicle is not commanded to return: " + answer.reason, true});
+  execute(answer.is_taken ? announce{"the vehicle returns because the failsafe is gone", true}
+                          : announce{"the vehicle is not commanded to return: " + answer.reason, true});
 }
 
 void actor::say_all(const std::vector<announce>& sentences) {
   for (const auto& each : sentences)
-    carry_out(each);
+    execute(each);
 }
 
 void actor::look_at_service() {
@@ -326,7 +326,7 @@ void actor::look_at_service() {
 }
 
 void actor::then(const effects& wanted) {
-  carry_out(wanted);
+  execute(wanted);
   after_turn();
 }
 
@@ -339,11 +339,11 @@ void actor::after_turn() {
     const auto wanted = core_->advance(now());
     if (wanted.empty())
       break;
-    carry_out(wanted);
+    execute(wanted);
   }
   keep_vehicle(false);
   if (others_->port)
-    carry_out(core_->tell_stations(now()));
+    execute(core_->tell_stations(now()));
   tell_survey();
   post_health();
   show_flight();
@@ -353,7 +353,7 @@ void actor::hear_news() {
   while (!news_.empty()) {
     const auto next = std::move(news_.front());
     news_.pop_front();
-    std::visit([this](const auto& what) { carry_out(core_->on_news(what, now())); }, next);
+    std::visit([this](const auto& what) { execute(core_->on_news(what, now())); }, next);
   }
 }
 

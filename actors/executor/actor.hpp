@@ -1,6 +1,6 @@
 // The executor as an actor: flies the mission.
 //
-// The decisions are in core.hpp. This shell hands what comes in to the core and carries out the effects until nothing
+// The decisions are in core.hpp. This shell hands what comes in to the core and executes the effects until nothing
 // more comes of it: notes are applied at once, and are one write; orders go to vehicle_link when that write is on the
 // disk, and a stop at once. A crash loses the steps of the task under way; the new incarnation looks at the vehicle
 // before it does anything. Thread: as actor_base.
@@ -92,18 +92,18 @@ private:
   void obey(const set_current& m, std::uint64_t request_id);
   [[nodiscard]] bool answer_current(const start_answer& m);
   void after_turn();
-  void carry_out(const effects& wanted);
-  void carry_out(const note& each) { commit(each.what); }
-  void carry_out(const order& each);
+  void execute(const effects& wanted);
+  void execute(const note& each) { commit(each.what); }
+  void execute(const order& each);
   void hear_news();
   void dispatch_effect(const order& each);
   void send(const order& each);
-  void carry_out(const give_up_transfer&);
-  void carry_out(const watch_vehicle& each);
-  void carry_out(const say_to_failsafe& each);
-  void carry_out(const say_to_client& each);
-  void carry_out(const say_to_port& each);
-  void carry_out(const announce& each);
+  void execute(const give_up_transfer&);
+  void execute(const watch_vehicle& each);
+  void execute(const say_to_failsafe& each);
+  void execute(const say_to_client& each);
+  void execute(const say_to_port& each);
+  void execute(const announce& each);
   void say_to_stations(io::mavlink::mav_severity severity, const std::string& sentence);
   void show_reached(const mission::progress_report& report);
   void show_phase_status(const phase_status& status);

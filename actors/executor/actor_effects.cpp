@@ -20,13 +20,13 @@ std::string for_stations(const std::string& sentence, io::mavlink::mav_severity 
 
 } // namespace
 
-void actor::carry_out(const effects& wanted) {
+void actor::execute(const effects& wanted) {
   for (const auto& each : wanted)
-    std::visit([this](const auto& what) { carry_out(what); }, each);
+    std::visit([this](const auto& what) { execute(what); }, each);
   core_->on_applied();
 }
 
-void actor::carry_out(const order& each) {
+void actor::execute(const order& each) {
   if (each.when == goes::at_once || GODWIT_PLANTED(forget_gate))
     send(each);
   else
@@ -110,25 +110,25 @@ void actor::transfer_plan(std::uint64_t number, const Q& what) {
       });
 }
 
-void actor::carry_out(const give_up_transfer&) { tell(others_->vehicle, vehicle_link::cancel_transfer{}); }
+void actor::execute(const give_up_transfer&) { tell(others_->vehicle, vehicle_link::cancel_transfer{}); }
 
-void actor::carry_out(const watch_vehicle& each) { tell(others_->vehicle, vehicle_link::watch_closely{each.is_close}); }
+void actor::execute(const watch_vehicle& each) { tell(others_->vehicle, vehicle_link::watch_closely{each.is_close}); }
 
-void actor::carry_out(const say_to_failsafe& each) {
+void actor::execute(const say_to_failsafe& each) {
   std::visit([this](const auto& what) { tell(others_->failsafe, what); }, each.what);
 }
 
-void actor::carry_out(const say_to_client& each) {
+void actor::execute(const say_to_client& each) {
   if (others_->client)
     after_commit([this, each] { std::visit([this](const auto& what) { tell(*others_->client, what); }, each.what); });
 }
 
-void actor::carry_out(const say_to_port& each) {
+void actor::execute(const say_to_port& each) {
   if (others_->port)
     std::visit([this](const auto& what) { tell(*others_->port, what); }, each.what);
 }
 
-void actor::carry_out(const announce& each) {
+void actor::execute(const announce& each) {
   using io::mavlink::mav_severity;
   at_end([this, each] { world_.tell_people(each); });
   if (!each.is_vehicles)
@@ -193,16 +193,16 @@ void actor::dispatch(const durable_core::effect& each) {
           if (!answer_current(m) && others_->port)
             tell(*others_->port, m);
         } else if constexpr (std::is_same_v<M, ground_port::plan_judged>) {
-          carry_out(say_to_port{m});
+          execute(say_to_port{m});
         } else if constexpr (std::is_same_v<M, phase_status>) {
           show_phase_status(m);
         } else if constexpr (std::is_same_v<M, preflight::phase_changed>) {
-          carry_out(announce{"preflight: " + m.sentence, m.now == preflight::phase::failed});
+          execute(announce{"preflight: " + m.sentence, m.now == preflight::phase::failed});
         } else if constexpr (std::is_same_v<M, preflight::report_opened>) {
-          carry_out(announce{"preflight report " + std::to_string(m.what.id) + " waits for an acknowledgement", true});
+          execute(announce{"preflight report " + std::to_string(m.what.id) + " waits for an acknowledgement", true});
         } else if constexpr (std::is_same_v<M, preflight::acknowledgement_answered>) {
           if (!m.is_taken)
-            carry_out(announce{"the acknowledgement is not taken: " + m.reason, true});
+            execute(announce{"the acknowledgement is not taken: " + m.reason, true});
         } else {
           news_.push_back(m);
         }

@@ -52,8 +52,8 @@ struct reassigned {
   std::size_t first_item = 0; // to go on with
 };
 
-// WISH carried out on MISSION, of which all up to LAST_DONE is flown. What was flown stays in the mission, as far as it
-// is not replaced. Errors: a sentence that the service gets as the reason of the refusal.
+// ASSIGNMENT applied to MISSION, of which all up to LAST_DONE is flown. What was flown stays in the mission, as far as
+// it is not replaced. Errors: a sentence that the service gets as the reason of the refusal.
 [[nodiscard]] tl::expected<reassigned, std::string> reassign(const mission::document& mission,
                                                              const mission::assignment& assignment,
                                                              const std::optional<std::string>& last_done);

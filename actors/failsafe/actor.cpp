@@ -123,12 +123,12 @@ void actor::judge_position() {
 
 // -- what is done ---------------------------------------------------------------------------------
 
-void actor::turn() { carry_out(core_->tick(now())); }
+void actor::turn() { execute(core_->tick(now())); }
 
-void actor::carry_out(const effects& wanted) {
+void actor::execute(const effects& wanted) {
   due_ = {};
   for (const auto& each : wanted)
-    std::visit([this](const auto& what) { carry_out(what); }, each);
+    std::visit([this](const auto& what) { execute(what); }, each);
   GODWIT_ASSERT(!due_.command || due_.record, "failsafe: each command comes with a record");
   if (due_.command)
     send_at_once([this] { command(*due_.command); });
@@ -141,7 +141,7 @@ void actor::carry_out(const effects& wanted) {
   post_health();
 }
 
-void actor::carry_out(const warning& what) {
+void actor::execute(const warning& what) {
   for (const auto& each : others_->people)
     tell(each, ground_port::status_text{what.severity, what.text});
   others_->log(what);
@@ -149,11 +149,11 @@ void actor::carry_out(const warning& what) {
 
 // What the executor sends after the answer explains itself to the next process: the limits are on the disk, and the
 // modes that were announced before.
-void actor::carry_out(const guard_resolved& what) {
+void actor::execute(const guard_resolved& what) {
   after_commit([this, what] { answer_later(what.request_id, what.answer); });
 }
 
-void actor::carry_out(const remember& what) { due_.record = what.what; }
+void actor::execute(const remember& what) { due_.record = what.what; }
 
 void actor::tell_failsafe_status() {
   for (const auto& ear : others_->ears)

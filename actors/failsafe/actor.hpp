@@ -63,14 +63,14 @@ private:
   void take_current_mode(const io::mavlink::current_mode& m);
   void judge_position();
   void turn();
-  void carry_out(const effects& wanted);
-  void carry_out(const command_vehicle& what) { due_.command = what; }
-  void carry_out(const failsafe_status_changed&) { due_.failsafe_status_is_new = true; }
-  void carry_out(const override_resolved& what) { answer_later(what.request_id, what.answer); }
-  void carry_out(const guard_resolved& what);
-  void carry_out(const warning& what);
-  void carry_out(const runtime::condition&) {} // posted at the end of the turn
-  void carry_out(const remember& what);
+  void execute(const effects& wanted);
+  void execute(const command_vehicle& what) { due_.command = what; }
+  void execute(const failsafe_status_changed&) { due_.failsafe_status_is_new = true; }
+  void execute(const override_resolved& what) { answer_later(what.request_id, what.answer); }
+  void execute(const guard_resolved& what);
+  void execute(const warning& what);
+  void execute(const runtime::condition&) {} // posted at the end of the turn
+  void execute(const remember& what);
   void tell_failsafe_status();
   void command(const command_vehicle& what);
   [[nodiscard]] std::optional<vehicle_link::seen_state> known_with(std::uint64_t command_number) const;

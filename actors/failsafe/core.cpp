@@ -51,11 +51,11 @@ core::core(const settings& configured, const state& restored, instant now)
 // -- what is heard --------------------------------------------------------------------------------
 
 void core::take(const event& heard, instant now) {
-  std::visit([&](const auto& what) { take_one(what, now); }, heard);
+  std::visit([&](const auto& what) { handle(what, now); }, heard);
 }
 
 // Autopilots move their home when they are armed.
-void core::take_one(const heartbeat& what, instant now) {
+void core::handle(const heartbeat& what, instant now) {
   if (heartbeat_ns_ != 0 && what.armed && !newest_.armed) {
     home_.reset();
     armed_at_.reset();
@@ -67,29 +67,29 @@ void core::take_one(const heartbeat& what, instant now) {
   flight_.on_heartbeat(what.what, what.armed, now.monotonic_ns);
 }
 
-void core::take_one(const modes_told& what, instant now) {
+void core::handle(const modes_told& what, instant now) {
   if (heartbeat_ns_ == 0)
     return;
   modes_ = {what, now};
   newest_mode_ = flight::mode_of(owner(), what.actual);
 }
 
-void core::take_one(const landed& what, instant) { flight_.on_landed(what.how); }
+void core::handle(const landed& what, instant) { flight_.on_landed(what.how); }
 
-void core::take_one(const position& what, instant now) {
+void core::handle(const position& what, instant now) {
   fences_.on_position(what, now.monotonic_ns);
   flight_.on_speed(std::hypot(what.north_mps, what.east_mps));
 }
 
-void core::take_one(const home_told& what, instant) {
+void core::handle(const home_told& what, instant) {
   home_ = what.where;
   if (newest_.armed && !armed_at_)
     armed_at_ = flight::home_of_arming(what.where, limits_.home_before);
 }
 
-void core::take_one(const battery& what, instant now) { battery_.on_sample(what.percent, now.monotonic_ns); }
+void core::handle(const battery& what, instant now) { battery_.on_sample(what.percent, now.monotonic_ns); }
 
-void core::take_one(const mission_current& what, instant now) {
+void core::handle(const mission_current& what, instant now) {
   place_ = {what, now};
   if (what.sequence == no_sequence)
     return;
@@ -97,48 +97,48 @@ void core::take_one(const mission_current& what, instant now) {
   sequence_ns_ = now.monotonic_ns;
 }
 
-void core::take_one(const autopilot_text& what, instant now) {
+void core::handle(const autopilot_text& what, instant now) {
   if (flight::tells_failsafe(what.what) || flight::tells_fence_breach(what.what))
     failsafe_text_ = {what.what, now};
 }
 
-void core::take_one(const command_resolved& what, instant) {
+void core::handle(const command_resolved& what, instant) {
   const auto& current = reaction_.current();
   if (what.verdict == vehicle_link::command_verdict::outdated && current && what.number == reaction_.last_number())
     orders_.push_back({modes_for(current->what, owner()), 0, true}); // it was not sent
   reaction_.on_resolved(what);
 }
 
-void core::take_one(const operator_heard& what, instant now) { link_.on_report(what.ever_heard, what.age_ms, now); }
+void core::handle(const operator_heard& what, instant now) { link_.on_report(what.ever_heard, what.age_ms, now); }
 
-void core::take_one(const controller_heard&, instant now) { link_.on_controller(now); }
+void core::handle(const controller_heard&, instant now) { link_.on_controller(now); }
 
-void core::take_one(const asked_override& what, instant) {
+void core::handle(const asked_override& what, instant) {
   if (wanted_overrides_.size() < max_waiting_overrides)
     wanted_overrides_.push_back(what);
 }
 
-void core::take_one(const hand_back&, instant) { told_hand_back_ = true; }
+void core::handle(const hand_back&, instant) { hand_back_received_ = true; }
 
-void core::take_one(const asked_guard& what, instant) { new_limits_ = what; }
+void core::handle(const asked_guard& what, instant) { new_limits_ = what; }
 
-void core::take_one(const expect_mode& what, instant) { orders_.push_back(what); }
+void core::handle(const expect_mode& what, instant) { orders_.push_back(what); }
 
-void core::take_one(const taken_over&, instant) { told_taken_over_ = true; }
+void core::handle(const taken_over&, instant) { takeover_received_ = true; }
 
 // On the ground somebody else may do as he likes; and who has it already may be handing it back in this moment.
-void core::take_one(const vehicle_link::foreign_act& what, instant) {
+void core::handle(const vehicle_link::foreign_act& what, instant) {
   if (what.kind == vehicle_link::foreign_kind::command && failsafe_status_.in_flight && !pilot_.is_taken_over())
-    told_taken_over_ = true;
+    takeover_received_ = true;
 }
 
-void core::take_one(const command_pending& what, instant now) {
+void core::handle(const command_pending& what, instant now) {
   pending_until_ns_ = now.monotonic_ns + what.lasts_ms * ns_per_ms;
 }
 
-void core::take_one(const following& what, instant) { link_.on_following(what.on); }
+void core::handle(const following& what, instant) { link_.on_following(what.on); }
 
-void core::take_one(const return_taken& what, instant) { plan_answer_ = what; }
+void core::handle(const return_taken& what, instant) { plan_answer_ = what; }
 
 // -- the tick -------------------------------------------------------------------------------------
 
@@ -202,8 +202,8 @@ void core::follow_flight(const view& seen) {
 // Of two contrary words in one tick, that a pilot has the vehicle counts. It does on the ground too: a person may have
 // ended a start.
 void core::hear_words(instant now, effects& out) {
-  const bool taken = std::exchange(told_taken_over_, false);
-  const bool handed_back = std::exchange(told_hand_back_, false) && !taken;
+  const bool taken = std::exchange(takeover_received_, false);
+  const bool handed_back = std::exchange(hand_back_received_, false) && !taken;
   if (taken && !pilot_.is_taken_over()) {
     pilot_.take_over();
     out.emplace_back(warning{mav_severity::notice, "a pilot has the vehicle; the failsafes only warn"});

@@ -76,26 +76,26 @@ private:
     link_phase link = link_phase::off;
   };
 
-  void take_one(const heartbeat& what, instant now);
-  void take_one(const modes_told& what, instant now);
-  void take_one(const landed& what, instant now);
-  void take_one(const position& what, instant now);
-  void take_one(const home_told& what, instant now);
-  void take_one(const battery& what, instant now);
-  void take_one(const mission_current& what, instant now);
-  void take_one(const autopilot_text& what, instant now);
-  void take_one(const command_resolved& what, instant now);
-  void take_one(const operator_heard& what, instant now);
-  void take_one(const controller_heard& what, instant now);
-  void take_one(const asked_override& what, instant now);
-  void take_one(const hand_back& what, instant now);
-  void take_one(const asked_guard& what, instant now);
-  void take_one(const expect_mode& what, instant now);
-  void take_one(const taken_over& what, instant now);
-  void take_one(const command_pending& what, instant now);
-  void take_one(const following& what, instant now);
-  void take_one(const vehicle_link::foreign_act& what, instant now);
-  void take_one(const return_taken& what, instant now);
+  void handle(const heartbeat& what, instant now);
+  void handle(const modes_told& what, instant now);
+  void handle(const landed& what, instant now);
+  void handle(const position& what, instant now);
+  void handle(const home_told& what, instant now);
+  void handle(const battery& what, instant now);
+  void handle(const mission_current& what, instant now);
+  void handle(const autopilot_text& what, instant now);
+  void handle(const command_resolved& what, instant now);
+  void handle(const operator_heard& what, instant now);
+  void handle(const controller_heard& what, instant now);
+  void handle(const asked_override& what, instant now);
+  void handle(const hand_back& what, instant now);
+  void handle(const asked_guard& what, instant now);
+  void handle(const expect_mode& what, instant now);
+  void handle(const taken_over& what, instant now);
+  void handle(const command_pending& what, instant now);
+  void handle(const following& what, instant now);
+  void handle(const vehicle_link::foreign_act& what, instant now);
+  void handle(const return_taken& what, instant now);
 
   [[nodiscard]] failsafe_status stand(bool in_flight) const;
   [[nodiscard]] view look(instant now);
@@ -165,8 +165,8 @@ private:
   };
   std::optional<heard_modes> modes_;
   std::vector<expect_mode> orders_;
-  bool told_taken_over_ = false;
-  bool told_hand_back_ = false;
+  bool takeover_received_ = false;
+  bool hand_back_received_ = false;
   std::int64_t pending_until_ns_ = 0; // who has the vehicle is not known before the answer to a station's command
 
   // What was said last, so that each thing is said once.

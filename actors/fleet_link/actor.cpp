@@ -34,11 +34,11 @@ actor::~actor() { port_->close(core_.attempt()); }
 actor::behavior_type actor::handlers() {
   return {
       on<broker_opened>([this](const broker_opened& m) {
-        carry_out(core_.on_opened(m, current_state(), now()));
+        execute(core_.on_opened(m, current_state(), now()));
         turn();
       }),
       on<broker_closed>([this](const broker_closed& m) {
-        carry_out(core_.on_closed(m, now()));
+        execute(core_.on_closed(m, now()));
         turn();
       }),
       on<event_taken>([this](const event_taken& m) {
@@ -130,7 +130,7 @@ void actor::turn() {
   drain_stream();
   if (const auto news = core_.newly_delivered(current_state()))
     commit(*news);
-  carry_out(core_.turn(current_state(), at));
+  execute(core_.turn(current_state(), at));
   show_health(core_.health(current_state()));
   const auto beat_ns = at.monotonic_ns + core::beat_ns;
   wake_at(core_.is_connected() ? beat_ns : std::max(beat_ns, std::min(core_.next_due_ns(), look_ns_)));
@@ -154,7 +154,7 @@ void actor::note_calls(const effects& all) {
                each);
 }
 
-void actor::carry_out(effects all) {
+void actor::execute(effects all) {
   if (is_recorded())
     note_calls(all);
   for (auto& each : all)

@@ -68,7 +68,7 @@ private:
   void drain_stream();
   void turn();
   void note_calls(const effects& all);
-  void carry_out(effects all);
+  void execute(effects all);
 
   std::shared_ptr<const peers> others_;
   std::shared_ptr<broker_port> port_;

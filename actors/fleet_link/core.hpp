@@ -9,7 +9,7 @@
 // Connected, events go out in the order of their numbers, a window of them at a time, as soon as they are on the disk;
 // they are kept until the broker has them, and go again with the next connection, with the same id. What is live goes
 // out beside them, and so is never behind more than one window. The state is put in with each call; what comes back is
-// carried out by the actor. Pure: time and seed come in. Thread: one owner.
+// executed by the actor. Pure: time and seed come in. Thread: one owner.
 #pragma once
 
 #include <cstdint>

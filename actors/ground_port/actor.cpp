@@ -81,12 +81,12 @@ void actor::started() {
 
 // -- effects --------------------------------------------------------------------------------------
 
-void actor::carry_out(const effects& wanted) {
+void actor::execute(const effects& wanted) {
   for (const auto& each : wanted)
-    std::visit([this](const auto& what) { carry_out(what); }, each);
+    std::visit([this](const auto& what) { execute(what); }, each);
 }
 
-void actor::carry_out(const start_request_to_executor& each) {
+void actor::execute(const start_request_to_executor& each) {
   ask(
       *others_->executor, current_patience, each.what,
       [this, request = each.request](const executor::current_answer& answer) {
@@ -97,7 +97,7 @@ void actor::carry_out(const start_request_to_executor& each) {
       });
 }
 
-void actor::carry_out(const word_to_say& each) {
+void actor::execute(const word_to_say& each) {
   ask(
       *others_->executor, command_patience, each.what,
       [this, request = each.request](const operators::answer& answer) {
@@ -108,12 +108,12 @@ void actor::carry_out(const word_to_say& each) {
       });
 }
 
-void actor::carry_out(const pass_on& each) {
+void actor::execute(const pass_on& each) {
   if (others_->vehicle)
     tell(*others_->vehicle, each.what);
 }
 
-void actor::carry_out(const act_to_ask& each) {
+void actor::execute(const act_to_ask& each) {
   ask(
       *others_->executor, act_patience, each.what,
       [this, request = each.request](const executor::act_answer& answer) {
@@ -124,17 +124,17 @@ void actor::carry_out(const act_to_ask& each) {
       });
 }
 
-void actor::carry_out(const acknowledgement_to_tell& each) {
+void actor::execute(const acknowledgement_to_tell& each) {
   if (others_->executor)
     tell(*others_->executor, each.what);
 }
 
-void actor::carry_out(const tell_taken_over&) {
+void actor::execute(const tell_taken_over&) {
   if (others_->failsafe)
     tell(*others_->failsafe, failsafe::taken_over{});
 }
 
-void actor::carry_out(const audit_row_to_tell& each) {
+void actor::execute(const audit_row_to_tell& each) {
   if (!others_->bridge)
     return;
   const auto name = "station " + std::to_string(each.who.system) + '/' + std::to_string(each.who.component);
@@ -162,7 +162,7 @@ void actor::ask_who_has_control() {
       });
 }
 
-void actor::carry_out(const operator_link& each) {
+void actor::execute(const operator_link& each) {
   for (const auto& ear : others_->operator_ears)
     tell(ear, each);
 }

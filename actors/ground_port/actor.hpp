@@ -1,7 +1,7 @@
 // The port for ground stations as an actor: the vehicle's role towards them, played for the executor.
 //
-// The decisions are in core.hpp. This shell drains what has come in, hands each thing to the core, and carries out the
-// effects: frames to the wire, events to the journal, wishes and words to the executor, the operator's link to those
+// The decisions are in core.hpp. This shell drains what has come in, hands each thing to the core, and executes the
+// effects: frames to the wire, events to the journal, requests to the executor, the operator's link to those
 // who listen. A crash loses no line and no queue (they are the port's) and nothing that a station was told; a transfer
 // under way is forgotten, and the station asks again. Thread: as actor_base.
 #pragma once
@@ -67,17 +67,17 @@ protected:
 private:
   template <class M>
   auto hears();
-  void carry_out(const effects& wanted) override;
-  void carry_out(const transmission& each) { queue_frame(each); }
-  void carry_out(const durable_event& each) { commit(each); }
-  void carry_out(const start_request_to_executor& each);
-  void carry_out(const word_to_say& each);
-  void carry_out(const pass_on& each);
-  void carry_out(const act_to_ask& each);
-  void carry_out(const acknowledgement_to_tell& each);
-  void carry_out(const tell_taken_over&);
-  void carry_out(const audit_row_to_tell& each);
-  void carry_out(const operator_link& each);
+  void execute(const effects& wanted) override;
+  void execute(const transmission& each) { queue_frame(each); }
+  void execute(const durable_event& each) { commit(each); }
+  void execute(const start_request_to_executor& each);
+  void execute(const word_to_say& each);
+  void execute(const pass_on& each);
+  void execute(const act_to_ask& each);
+  void execute(const acknowledgement_to_tell& each);
+  void execute(const tell_taken_over&);
+  void execute(const audit_row_to_tell& each);
+  void execute(const operator_link& each);
   void ask_who_has_control();
 
   settings settings_;

@@ -223,14 +223,14 @@ private:
                                                                   const std::string& what);
   // True: it has its answer.
   [[nodiscard]] bool is_refused(decision_context& t, const vehicle_role::order& what, const std::string& name);
-  struct plan_wish { // an upload, of a part too, or a clear
+  struct plan_request { // an upload, of a part too, or a clear
     std::uint8_t target_system = 0;
     std::uint8_t target_component = 0;
     std::uint8_t mission_type = 0;
     bool clears = false;
     bool is_part = false;
   };
-  [[nodiscard]] bool is_refused(decision_context& t, const station& from, const plan_wish& what);
+  [[nodiscard]] bool is_refused(decision_context& t, const station& from, const plan_request& what);
   [[nodiscard]] std::string why_no_part(mavlink::sender who, std::uint8_t mission_type) const;
   // A download changes nothing.
   template <class M>
@@ -238,7 +238,7 @@ private:
     constexpr bool clears = M::message_id == mavlink::mission_clear_all::message_id;
     constexpr bool is_part = M::message_id == mavlink::mission_write_partial_list::message_id;
     if constexpr (clears || is_part || M::message_id == mavlink::mission_count::message_id)
-      return is_refused(t, from, plan_wish{m.target_system, m.target_component, m.mission_type, clears, is_part});
+      return is_refused(t, from, plan_request{m.target_system, m.target_component, m.mission_type, clears, is_part});
     else
       return false;
   }

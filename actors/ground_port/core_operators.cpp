@@ -141,7 +141,7 @@ bool core::is_refused(decision_context& t, const vehicle_role::order& what, cons
   return objection.has_value();
 }
 
-bool core::is_refused(decision_context& t, const station& from, const plan_wish& what) {
+bool core::is_refused(decision_context& t, const station& from, const plan_request& what) {
   if (!is_for_us(what.target_system, what.target_component))
     return false;
   const std::string name = what.clears ? "Clear" : "Upload";

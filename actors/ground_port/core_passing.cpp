@@ -181,12 +181,12 @@ void core::refuse_passing(decision_context& t, station& from, const std::string&
 }
 
 void core::route_file(decision_context& t, station& from, const mavlink::frame_view& frame) {
-  switch (passing::read_file_wish(frame.payload())) {
-  case passing::file_wish::read:
+  switch (passing::file_access_of(frame.payload())) {
+  case passing::file_access::read:
     return pass_reading(t, as_said(frame));
-  case passing::file_wish::write:
+  case passing::file_access::write:
     return ask(t, {{act_kind::configure, by(from.who), "Writing a file"}, as_said(frame)});
-  case passing::file_wish::write_plan:
+  case passing::file_access::write_plan:
     refuse_file(t, as_said(frame));
     return refuse_passing(t, from, "Plans are uploaded to godwit, not as files");
   }

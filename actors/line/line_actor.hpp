@@ -6,7 +6,7 @@
 // there a crash leaves nothing sent, and the message is handled again; from there on it is not, because nobody must be
 // told or commanded twice. The time of signatures is reserved on the disk ahead of its use.
 //
-// Core: on_link, on_bytes and on_time give what carry_out takes; next_deadline_ns, wanted_reservation, health. Wake:
+// Core: on_link, on_bytes and on_time give what execute takes; next_deadline_ns, wanted_reservation, health. Wake:
 // the message by which the line's port wakes the actor. Reserved: the event that reserves a time. Errors: a frame that
 // the line does not take is counted. Thread: as actor_base.
 #pragma once
@@ -42,7 +42,7 @@ protected:
       : runtime::durable_actor<Mailbox, DurableCore>(std::move(context)), line_(std::move(wire)) {}
 
   // One effect after the other; frames by queue_frame().
-  virtual void carry_out(const effects& wanted) = 0;
+  virtual void execute(const effects& wanted) = 0;
 
   // When core_ is there.
   void begin_line() {
@@ -70,7 +70,7 @@ protected:
 
   // Of each message that is handled.
   void then(const effects& wanted) {
-    carry_out(wanted);
+    execute(wanted);
     after_turn();
   }
   void after_turn() {
@@ -96,7 +96,7 @@ protected:
 
 private:
   void on_deadline() final {
-    carry_out(core_->on_time(now()));
+    execute(core_->on_time(now()));
     drain(); // also when a wake was lost with an incarnation
   }
 
@@ -120,10 +120,8 @@ private:
   void take(const line_news& news) {
     std::visit([this](const auto& what) { take(what); }, news);
   }
-  void take(const io::link::link_status& what) { carry_out(core_->on_link(what, now())); }
-  void take(const io::link::arrival& what) {
-    carry_out(core_->on_bytes(what.peer, what.is_datagram, what.bytes, now()));
-  }
+  void take(const io::link::link_status& what) { execute(core_->on_link(what, now())); }
+  void take(const io::link::arrival& what) { execute(core_->on_bytes(what.peer, what.is_datagram, what.bytes, now())); }
 
   void send_outgoing() {
     this->mark_committed();

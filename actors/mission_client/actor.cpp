@@ -115,7 +115,7 @@ void actor::take_answers() {
     }
     if (news->what.how != ending::page_begun)
       std::erase_if(calls_, [&](const auto& each) { return each.second == *news->call; });
-    carry_out(planner_->on_answer(current_state(), now(), *news->call, news->what));
+    execute(planner_->on_answer(current_state(), now(), *news->call, news->what));
   }
 }
 
@@ -152,13 +152,13 @@ void actor::plan() {
       throw std::logic_error("mission_client does not come to an end with what it wants");
     auto wanted = planner_->plan(current_state(), now());
     const bool is_done = wanted.events.empty();
-    carry_out(std::move(wanted));
+    execute(std::move(wanted));
     if (is_done)
       return;
   }
 }
 
-void actor::carry_out(requests wanted) {
+void actor::execute(requests wanted) {
   for (const auto number : wanted.cancelled) {
     const auto call = std::ranges::find_if(calls_, [&](const auto& each) { return each.second == number; });
     if (call == calls_.end()) // a question to the store: its answer will find nobody
@@ -182,7 +182,7 @@ void actor::carry_out(requests wanted) {
 
 void actor::ask_store(ticket number, const store_question& asked) {
   const auto then = [this, number](const store_answer& answer) {
-    carry_out(planner_->on_store(current_state(), now(), number, answer));
+    execute(planner_->on_store(current_state(), now(), number, answer));
     decision_context();
   };
   std::visit(

@@ -1,7 +1,7 @@
 // mission_client as an actor: everything between godwit and the missions service.
 //
 // The durable decisions are in core.hpp, what is to be done next in planner.hpp. This shell takes what others say and
-// the answers of the service, commits the events that come of it, and carries out the planner's requests: calls to the
+// the answers of the service, commits the events that come of it, and executes the planner's requests: calls to the
 // service through its port, questions to the map store. Calls of an incarnation that died are forgotten; the next one
 // makes them again under the same keys. Thread: as actor_base.
 #pragma once
@@ -61,7 +61,7 @@ private:
   [[nodiscard]] std::optional<service_news> next_answer();
   [[nodiscard]] service_news news_of_call(service_answer answer);
   void plan();
-  void carry_out(requests wanted);
+  void execute(requests wanted);
   void ask_store(ticket number, const store_question& asked);
   void post_health();
   [[nodiscard]] service_status status() const;

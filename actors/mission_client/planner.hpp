@@ -4,7 +4,7 @@
 //   answers ──────> on_answer(), on_store() ──> events for the durable core, further calls
 //
 // It holds only what may be forgotten: what is under way, and how often it failed in this life. Give it the events that
-// it wished for before it plans again. Thread: one at a time.
+// it asked for before it plans again. Thread: one at a time.
 #pragma once
 
 #include <array>

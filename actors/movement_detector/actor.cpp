@@ -18,21 +18,21 @@ actor::~actor() { port_->end(core_.run()); }
 
 actor::behavior_type actor::handlers() {
   return {
-      on<helper_status>([this](const helper_status& m) { carry_out(core_.on_status(m, now())); }),
-      on<helper_candidates>([this](const helper_candidates& m) { carry_out(core_.on_candidates(m, now())); }),
-      on<helper_ended>([this](const helper_ended& m) { carry_out(core_.on_ended(m, now())); }),
+      on<helper_status>([this](const helper_status& m) { execute(core_.on_status(m, now())); }),
+      on<helper_candidates>([this](const helper_candidates& m) { execute(core_.on_candidates(m, now())); }),
+      on<helper_ended>([this](const helper_ended& m) { execute(core_.on_ended(m, now())); }),
       on<get_eyes>([this](const get_eyes&) { return core_.view_of(now()); }),
       on<scan_controller::survey_progress>([this](const scan_controller::survey_progress& m) { core_.on_survey(m); }),
       on<io::mavlink::global_position_int>(
           [this](const io::mavlink::global_position_int& m) { core_.on_position(m, now()); }),
-      on<io::mavlink::attitude>([this](const io::mavlink::attitude& m) { carry_out(core_.on_attitude(m, now())); }),
+      on<io::mavlink::attitude>([this](const io::mavlink::attitude& m) { execute(core_.on_attitude(m, now())); }),
       on<io::mavlink::gimbal_device_attitude_status>(
-          [this](const io::mavlink::gimbal_device_attitude_status& m) { carry_out(core_.on_gimbal(m, now())); })};
+          [this](const io::mavlink::gimbal_device_attitude_status& m) { execute(core_.on_gimbal(m, now())); })};
 }
 
 void actor::started() { wake_at(core_.next_due_ns()); }
 
-void actor::on_deadline() { carry_out(core_.on_time(now())); }
+void actor::on_deadline() { execute(core_.on_time(now())); }
 
 // What goes to the helper and to the map's pictures; the settings of the camera may have a password in them.
 void actor::note_calls(const effects& all) {
@@ -48,7 +48,7 @@ void actor::note_calls(const effects& all) {
         each);
 }
 
-void actor::carry_out(effects all) {
+void actor::execute(effects all) {
   if (is_recorded())
     note_calls(all);
   for (auto& each : all)

@@ -44,7 +44,7 @@ private:
     return {at.monotonic_ns, at.wall_ns};
   }
   void note_calls(const effects& all);
-  void carry_out(effects all);
+  void execute(effects all);
 
   std::shared_ptr<const peers> others_;
   std::shared_ptr<eyes_port> port_;

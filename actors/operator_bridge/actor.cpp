@@ -17,7 +17,7 @@ template <class Q, class R>
 auto actor::decides(std::pair<effects, R> (core::*judge)(const Q&, instant)) {
   return on_deferred<Q, R>([this, judge](const Q& m, std::uint64_t request_id) {
     const auto [wanted, answer] = ((*core_).*judge)(m, now());
-    carry_out(wanted);
+    execute(wanted);
     after_commit([this, request_id, answer = answer] { answer_later(request_id, answer); });
   });
 }
@@ -27,21 +27,21 @@ actor::behavior_type actor::handlers() {
               [this](const operator_command& m, std::uint64_t request_id) { take(m, request_id); }),
           decides(&core::on_control), on<get_operators>([this](const get_operators&) { return core_->describe(); }),
           decides(&core::on_read_audit),
-          on<audit_note>([this](const audit_note& m) { carry_out(core_->on_note(m, now())); }), decides(&core::on_link),
+          on<audit_note>([this](const audit_note& m) { execute(core_->on_note(m, now())); }), decides(&core::on_link),
           decides<open_session, session_answer>(&core::on_open), decides<use_link, session_answer>(&core::on_open),
           // From memory: it is asked for with each request.
           on<identify>([this](const identify& m) {
             auto [wanted, answer] = core_->on_identify(m, now());
-            carry_out(wanted);
+            execute(wanted);
             return answer;
           }),
           decides(&core::on_end), decides(&core::on_leave),
-          on<accounts_read>([this](const accounts_read& m) { carry_out(core_->on_accounts(m, now())); })};
+          on<accounts_read>([this](const accounts_read& m) { execute(core_->on_accounts(m, now())); })};
 }
 
 void actor::started() {
   core_.emplace(settings_, current_state(), now());
-  carry_out(core_->on_start(now()));
+  execute(core_->on_start(now()));
 }
 
 // What the journal does not take any more is not promised either.
@@ -49,7 +49,7 @@ void actor::take(const operator_command& m, std::uint64_t request_id) {
   if (is_refused_by_journal() && !operators::is_stop(m.what.kind))
     answer_later(request_id, command_answer{verdict::busy, "the disk takes nothing now; hold and return still go out"});
   else
-    carry_out(core_->on_command(m, request_id, now()));
+    execute(core_->on_command(m, request_id, now()));
 }
 
 void actor::add_rows(const durable_core::event& happened, runtime::journal_write& write) {
@@ -60,31 +60,31 @@ void actor::add_rows(const durable_core::event& happened, runtime::journal_write
       put_row(write, each);
 }
 
-void actor::on_deadline() { carry_out(core_->on_time(now())); }
+void actor::on_deadline() { execute(core_->on_time(now())); }
 
-void actor::carry_out(const effects& wanted) {
+void actor::execute(const effects& wanted) {
   for (const auto& each : wanted)
-    std::visit([this](const auto& what) { carry_out(what); }, each);
+    std::visit([this](const auto& what) { execute(what); }, each);
   plan_deadline();
   show_presence();
   tell_control();
 }
 
-void actor::carry_out(const hand_over& each) {
+void actor::execute(const hand_over& each) {
   if (each.at_once)
     send_at_once([this, &each] { ask_executor(each.number, each.what); });
   else
     after_commit([this, number = each.number] { release(number); });
 }
 
-void actor::carry_out(const reply& each) {
+void actor::execute(const reply& each) {
   if (each.waits)
     after_commit([this, each] { answer_later(each.request, each.answer); });
   else
     answer_later(each.request, each.answer);
 }
 
-void actor::carry_out(const session_over& each) {
+void actor::execute(const session_over& each) {
   at_end([this, session = each.session] { ends_->notify(session); });
 }
 
@@ -93,15 +93,15 @@ void actor::release(std::uint64_t number) {
   if (decided.goes)
     ask_executor(number, decided.what);
   else if (!decided.otherwise.empty())
-    at_end([this, decided] { carry_out(decided.otherwise); });
+    at_end([this, decided] { execute(decided.otherwise); });
 }
 
 void actor::ask_executor(std::uint64_t number, const operators::command& what) {
   ask(
       executor_, executor_patience, what,
-      [this, number](const operators::answer& answer) { carry_out(core_->on_answer(number, answer, now())); },
+      [this, number](const operators::answer& answer) { execute(core_->on_answer(number, answer, now())); },
       [this, number](const runtime::ask_error& why) {
-        carry_out(core_->on_no_answer(number, why.code != runtime::ask_errc::not_taken, now()));
+        execute(core_->on_no_answer(number, why.code != runtime::ask_errc::not_taken, now()));
       });
 }
 

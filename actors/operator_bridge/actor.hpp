@@ -50,11 +50,11 @@ private:
   template <class Q, class R>
   auto decides(std::pair<effects, R> (core::*judge)(const Q&, instant));
   void take(const operator_command& m, std::uint64_t request_id);
-  void carry_out(const effects& wanted);
-  void carry_out(const note& each) { commit(each.what); }
-  void carry_out(const hand_over& each);
-  void carry_out(const reply& each);
-  void carry_out(const session_over& each);
+  void execute(const effects& wanted);
+  void execute(const note& each) { commit(each.what); }
+  void execute(const hand_over& each);
+  void execute(const reply& each);
+  void execute(const session_over& each);
   void release(std::uint64_t number);
   void ask_executor(std::uint64_t number, const operators::command& what);
   void plan_deadline();

@@ -64,23 +64,23 @@ void actor::started() {
 
 // -- effects --------------------------------------------------------------------------------------
 
-void actor::carry_out(const effects& wanted) {
+void actor::execute(const effects& wanted) {
   for (const auto& each : wanted)
-    std::visit([this](const auto& what) { carry_out(what); }, each);
+    std::visit([this](const auto& what) { execute(what); }, each);
 }
 
-void actor::carry_out(const resolved_command& each) { answer_later(each.asked_by.request_id, each.outcome); }
+void actor::execute(const resolved_command& each) { answer_later(each.asked_by.request_id, each.outcome); }
 
-void actor::carry_out(const resolved_transfer& each) { answer_later(each.request_id, each.outcome); }
+void actor::execute(const resolved_transfer& each) { answer_later(each.request_id, each.outcome); }
 
-void actor::carry_out(const resolved_look& each) { answer_later(each.request_id, each.what); }
+void actor::execute(const resolved_look& each) { answer_later(each.request_id, each.what); }
 
-void actor::carry_out(const observation& each) {
+void actor::execute(const observation& each) {
   std::visit([this]<class M>(const M& message) { ears_->for_each<M>([&](const auto& who) { tell(who, message); }); },
              each);
 }
 
-void actor::carry_out(const announcement& each) {
+void actor::execute(const announcement& each) {
   std::visit([this]<class M>(const M& message) { ears_->for_each<M>([&](const auto& who) { tell(who, message); }); },
              each);
 }

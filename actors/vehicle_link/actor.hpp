@@ -1,6 +1,6 @@
 // The link to the autopilot as an actor: others ask it to command the vehicle and to move plans, and hear what it says.
 //
-// The decisions are in core.hpp. This shell drains what has come in, hands each thing to the core, and carries out the
+// The decisions are in core.hpp. This shell drains what has come in, hands each thing to the core, and executes the
 // effects: frames to the wire, answers to whoever asked, observations to the listeners, the state of the link to the
 // health board. A crash loses no line and no queue (they are the port's); who waited for an answer is told that the
 // outcome is not known. Errors: see the outcome types. Thread: as actor_base.
@@ -34,13 +34,13 @@ protected:
   [[nodiscard]] bool goes_on_without_disk() const override { return true; } // stops have to come through
 
 private:
-  void carry_out(const effects& wanted) override;
-  void carry_out(const transmission& each) { queue_frame(each); }
-  void carry_out(const resolved_command& each);
-  void carry_out(const resolved_transfer& each);
-  void carry_out(const resolved_look& each);
-  void carry_out(const observation& each);
-  void carry_out(const announcement& each);
+  void execute(const effects& wanted) override;
+  void execute(const transmission& each) { queue_frame(each); }
+  void execute(const resolved_command& each);
+  void execute(const resolved_transfer& each);
+  void execute(const resolved_look& each);
+  void execute(const observation& each);
+  void execute(const announcement& each);
 
   settings settings_;
   signing_settings signing_;

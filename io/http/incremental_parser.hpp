@@ -2,7 +2,7 @@
 //
 //   head --> body --> done --begin()--> head ...         what lies after a message is kept for the next one
 //
-// Errors: those of Beast; need_more is none of them, but the wish for more bytes. Thread: as any value.
+// Errors: those of Beast; need_more is none of them, but the request for more bytes. Thread: as any value.
 // Source: RFC 9112; Boost.Beast 1.81.
 #pragma once
 

@@ -113,7 +113,7 @@ inline void end_record(byte_buffer& out, std::size_t start) {
 // Continues `crc` (0 to start) over `bytes`.
 [[nodiscard]] inline std::uint32_t crc_of(byte_view bytes, std::uint32_t crc = 0) {
   if (bytes.empty()) {
-    return crc; // zlib takes a null pointer as the wish to start anew, and an empty view may have one
+    return crc; // zlib takes a null pointer as a request to start anew, and an empty view may have one
   }
   return static_cast<std::uint32_t>(crc32_z(crc, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }

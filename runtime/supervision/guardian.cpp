@@ -47,9 +47,9 @@ private:
   void receive(const envelope& m) {
     if (m.is<start_children>()) {
       tick();
-      carry_out(core_.start());
+      execute(core_.start());
     } else if (m.is<stop_children>()) {
-      carry_out(core_.shutdown());
+      execute(core_.shutdown());
     } else if (m.is<guardian_tick>()) {
       tick();
     } else if (m.is<pong>()) {
@@ -59,7 +59,7 @@ private:
     } else if (m.is<recovery_ready>()) {
       on_recovered(m.as<recovery_ready>());
     } else if (m.is<restart_due>()) {
-      carry_out(core_.restart_due(m.as<restart_due>().child));
+      execute(core_.restart_due(m.as<restart_due>().child));
     } else if (m.is<stop_overdue>()) {
       on_stop_overdue(m.as<stop_overdue>());
     } else {
@@ -91,7 +91,7 @@ private:
     if (std::exchange(revivals_, std::max(revivals_, table.revivals)) >= table.revivals || is_first)
       return;
     for (std::size_t i = 0; i < children_.size(); ++i)
-      carry_out(core_.revive(i));
+      execute(core_.revive(i));
   }
 
   [[nodiscard]] bool is_of_floor(const std::string& name) const {
@@ -105,13 +105,13 @@ private:
         continue;
       core_.set_policy(i, each.policy);
       if (const bool wanted = each.wanted || is_of_floor(each.name); wanted != core_.is_wanted(i))
-        carry_out(core_.want(i, wanted));
+        execute(core_.want(i, wanted));
     }
   }
 
   // -- carrying out -------------------------------------------------------------------------------
 
-  void carry_out(const supervision_core::actions& actions) {
+  void execute(const supervision_core::actions& actions) {
     for (const auto& each : actions)
       std::visit([this](const auto& action) { act(action); }, each);
     for (std::size_t i = 0; i < children_.size(); ++i)
@@ -146,7 +146,7 @@ private:
     if (!child.incarnation) { // its recovery is still under way
       child.number = 0;
       child.recovers_since_ns.reset();
-      carry_out(core_.down(action.child, now_ns()));
+      execute(core_.down(action.child, now_ns()));
       return;
     }
     // In order: a stop for good lets the actor finish its mail first, one for a restart does not wait for it.
@@ -199,7 +199,7 @@ private:
     } catch (const std::exception& thrown) {
       child.address().note_crash(thrown.what());
       tell_event(index, child_event_kind::crashed, thrown.what());
-      carry_out(core_.down(index, now_ns()));
+      execute(core_.down(index, now_ns()));
     }
   }
 
@@ -225,7 +225,7 @@ private:
     }
     child.address().note_crash(result.error().message());
     tell_event(ready.child, child_event_kind::crashed, result.error().message());
-    carry_out(core_.down(ready.child, now_ns()));
+    execute(core_.down(ready.child, now_ns()));
   }
 
   void on_up(const child_up& up) {
@@ -237,7 +237,7 @@ private:
     tell_event(index, child_event_kind::up, {});
     post_health(index, health_colour::green, {});
     tell_alive(index);
-    carry_out(core_.up(index));
+    execute(core_.up(index));
   }
 
   void on_down(const caf::down_msg& message) {
@@ -255,7 +255,7 @@ private:
     if (!stopping && message.reason != caf::sec::runtime_error)
       child.address().note_crash("killed");
     tell_event(index, stopping ? child_event_kind::stopped : child_event_kind::crashed, child.address().last_crash());
-    carry_out(core_.down(index, now_ns(), child.address().is_beyond_restart()));
+    execute(core_.down(index, now_ns(), child.address().is_beyond_restart()));
   }
 
   void on_stop_overdue(const stop_overdue& overdue) {
@@ -264,7 +264,7 @@ private:
       return;
     if (overdue.killed) {
       leave_behind(overdue.child);
-      carry_out(core_.down(overdue.child, now_ns()));
+      execute(core_.down(overdue.child, now_ns()));
       return;
     }
     kill(*child.incarnation);
@@ -328,7 +328,7 @@ private:
     post_health(index, health_colour::red, reason);
     if (core_.policy(index).essential)
       end_process(index, exit_cause::essential_silent, children_[index].name() + " is essential and " + reason);
-    carry_out(core_.down(index, now_ns()));
+    execute(core_.down(index, now_ns()));
   }
 
   std::size_t leave_behind(std::size_t index) {

@@ -1,4 +1,4 @@
-// The root of the actors: owns the stable addresses, watches the incarnations, carries out what supervision_core
+// The root of the actors: owns the stable addresses, watches the incarnations, executes what supervision_core
 // decides.
 //
 // It holds no decision of its own and never restarts; if it dies, the process ends. Who runs, and what follows when a

@@ -1,6 +1,6 @@
 // What the guardian and the actor that supervises (the executor) say to each other.
 //
-// The guardian carries out a table; the supervisor owns its content. It sends the whole of it (`supervise`) with an
+// The guardian executes a table; the supervisor owns its content. It sends the whole of it (`supervise`) with an
 // epoch whenever it becomes another one, and again until the answer has that epoch; the guardian applies what differs
 // and ignores an older epoch. The supervisor hears of every change (`child_event`). It may crash: the guardian goes on
 // with the last table, and the new incarnation asks for `get_children` and finds them all as they are. Thread: plain

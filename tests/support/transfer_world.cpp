@@ -90,14 +90,14 @@ bool transfer_world::run_once(std::int64_t until_ns) {
   }
   time_.advance_to(next_ns);
   if (!is_vehicle_down_ && server_.next_deadline_ns() <= next_ns)
-    carry_out(server_.on_time(next_ns));
+    execute(server_.on_time(next_ns));
   for (const auto& each : stations_)
     if (each->client.next_deadline_ns().value_or(INT64_MAX) <= next_ns)
-      carry_out(*each, each->client.on_time(next_ns));
+      execute(*each, each->client.on_time(next_ns));
   return true;
 }
 
-void transfer_world::carry_out(station& from, transfer::step what) {
+void transfer_world::execute(station& from, transfer::step what) {
   for (const auto& each : what.messages) {
     if (std::holds_alternative<mavlink::mission_request_list>(each) && from.bytes_when_settling == 0)
       from.bytes_when_settling = from.line.bytes();
@@ -115,10 +115,10 @@ void transfer_world::carry_out(station& from, transfer::step what) {
 void transfer_world::to_vehicle(mavlink::sender from, const transfer::outgoing& what) {
   if (is_vehicle_down_)
     return;
-  carry_out(std::visit([&](const auto& m) { return server_.on(from, m, time_.now_ns()); }, what));
+  execute(std::visit([&](const auto& m) { return server_.on(from, m, time_.now_ns()); }, what));
 }
 
-void transfer_world::carry_out(const mission_server::reaction& what) {
+void transfer_world::execute(const mission_server::reaction& what) {
   for (const auto& change : what.changes)
     if (change.type == mavlink::mav_mission_type::mission &&
         change.kind != mission_server::plan_change_kind::begun_replacing)
@@ -132,7 +132,7 @@ void transfer_world::carry_out(const mission_server::reaction& what) {
 template <class M>
 void transfer_world::to_station(station& to, const M& message) {
   to.line.send(simulated_line::down, frame_size(message),
-               [this, &to, message] { carry_out(to, hear(to.client, message, time_.now_ns())); });
+               [this, &to, message] { execute(to, hear(to.client, message, time_.now_ns())); });
 }
 
 void transfer_world::report_mission_every_second() {
@@ -147,7 +147,7 @@ void transfer_world::report_mission_every_second() {
     if (!is_vehicle_down_)
       for (const auto& each : stations_)
         each->line.send(simulated_line::down, frame_size(now),
-                        [this, to = each.get(), now] { carry_out(*to, to->client.on(now, time_.now_ns())); });
+                        [this, to = each.get(), now] { execute(*to, to->client.on(now, time_.now_ns())); });
     report_mission_every_second();
   });
 }

@@ -49,7 +49,7 @@ public:
   station& add_station(io::mavlink::sender self, const line_settings& settings);
   [[nodiscard]] station& ours() { return *stations_.front(); }
 
-  void begin(station& from, transfer::step first) { carry_out(from, std::move(first)); }
+  void begin(station& from, transfer::step first) { execute(from, std::move(first)); }
   transfer::outcome upload(std::vector<io::mavlink::mission_item_int> plan,
                            io::mavlink::mav_mission_type type = io::mavlink::mav_mission_type::mission);
   transfer::outcome download(io::mavlink::mav_mission_type type = io::mavlink::mav_mission_type::mission);
@@ -86,8 +86,8 @@ public:
 
 private:
   transfer::outcome last_outcome();
-  void carry_out(station& from, transfer::step what);
-  void carry_out(const mission_server::reaction& what);
+  void execute(station& from, transfer::step what);
+  void execute(const mission_server::reaction& what);
   void to_vehicle(io::mavlink::sender from, const transfer::outgoing& what);
   template <class M>
   void to_station(station& to, const M& message);

@@ -25,7 +25,7 @@
 // delivery is said in places, unless it is one to HOME. Landing or returning where the vehicle stands already is
 // nothing to do. A rover has no altitudes: what a mission says of them goes to the vehicle as it is, and is not looked
 // at. Multirotors and fixed wings that stand on the ground begin with a take-off, and none comes in the middle of a
-// flight. Some numbers are wishes that a vehicle may not know: the radius of arrival (ArduPilot's multirotors and
+// flight. Some numbers are requests that a vehicle may not know: the radius of arrival (ArduPilot's multirotors and
 // rovers have their own), and the radius of a circle for those who hover. Thread: one owner.
 #pragma once
 

@@ -28,7 +28,7 @@ struct mission_opened {
   GODWIT_FIELDS(mission_opened, "executor.progress_mission_opened", mission_id, revision);
 };
 
-// The service's assignment that a plan carries out, and the key of the answer, made before its first try.
+// The service's assignment that a plan executes, and the key of the answer, made before its first try.
 struct assignment_key {
   std::string assignment_id;
   std::string idempotency_key;

@@ -35,10 +35,10 @@ bool names_plans(io::mavlink::byte_view payload) {
 
 } // namespace
 
-file_wish read_file_wish(io::mavlink::byte_view payload) {
+file_access file_access_of(io::mavlink::byte_view payload) {
   if (std::ranges::find(reading, byte_at(payload, opcode_at)) != reading.end())
-    return file_wish::read;
-  return names_plans(payload) ? file_wish::write_plan : file_wish::write;
+    return file_access::read;
+  return names_plans(payload) ? file_access::write_plan : file_access::write;
 }
 
 std::vector<std::uint8_t> file_refusal(io::mavlink::byte_view payload, io::mavlink::sender to) {

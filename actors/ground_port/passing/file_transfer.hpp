@@ -12,13 +12,13 @@
 
 namespace godwit::ground_port::passing {
 
-enum class file_wish {
+enum class file_access {
   read,
   write,
   write_plan // whatever is armed or not: plans are godwit's
 };
 
-[[nodiscard]] file_wish read_file_wish(io::mavlink::byte_view payload);
+[[nodiscard]] file_access file_access_of(io::mavlink::byte_view payload);
 
 // NAK, to TO: it was not done. The payload of the answer to the one with PAYLOAD.
 [[nodiscard]] std::vector<std::uint8_t> file_refusal(io::mavlink::byte_view payload, io::mavlink::sender to);

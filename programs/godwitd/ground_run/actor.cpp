@@ -20,34 +20,34 @@ actor::~actor() = default;
 actor::behavior_type actor::handlers() {
   return {on<mission_client::mission_loaded>([this](const mission_client::mission_loaded& m) {
             loaded_ns_ = now_ns();
-            carry_out(core_.on_loaded(m));
+            execute(core_.on_loaded(m));
           }),
           on<mission_client::earlier_found>([](const mission_client::earlier_found&) {}), // nothing is flown
           on<mission_client::mission_refused>(
-              [this](const mission_client::mission_refused& m) { carry_out(core_.on_refused(m)); }),
+              [this](const mission_client::mission_refused& m) { execute(core_.on_refused(m)); }),
           on<mission_client::map_pulled>([this](const mission_client::map_pulled& m) {
             std::optional<double> pull_s;
             if (loaded_ns_)
               pull_s = static_cast<double>(now_ns() - *loaded_ns_) * 1e-9;
-            carry_out(core_.on_pulled(m, pull_s));
+            execute(core_.on_pulled(m, pull_s));
           }),
           on<mission_client::change_outcome>(
-              [this](const mission_client::change_outcome& m) { carry_out(announce{sentence_of(m)}); }),
+              [this](const mission_client::change_outcome& m) { execute(announce{sentence_of(m)}); }),
           on<mission_client::assignment_arrived>([this](const mission_client::assignment_arrived& m) { turn_down(m); }),
           on<mission_client::mission_deleted>(
-              [this](const mission_client::mission_deleted& m) { carry_out(core_.on_deleted(m)); }),
+              [this](const mission_client::mission_deleted& m) { execute(core_.on_deleted(m)); }),
           on<mission_client::mission_resolved>(
-              [this](const mission_client::mission_resolved& m) { carry_out(core_.on_resolved(m)); }),
+              [this](const mission_client::mission_resolved& m) { execute(core_.on_resolved(m)); }),
           on<vehicle_link::connection_changed>([this](const vehicle_link::connection_changed& m) {
             has_news_of_vehicle_ = true;
-            carry_out(announce{sentence_of(m)});
+            execute(announce{sentence_of(m)});
           }),
           on<woken>([this](const woken&) { flow_->go_on(); }),
           on<tick>([this](const tick& due) {
             if (due.incarnation == incarnation_number())
               look_again();
           }),
-          on<retry_due>([this](const retry_due&) { carry_out(core_.on_retry()); }),
+          on<retry_due>([this](const retry_due&) { execute(core_.on_retry()); }),
           on<get_run>([this](const get_run&) {
             return run_status{mission_id_, core_.now(), flow_->counts()};
           })};
@@ -55,40 +55,40 @@ actor::behavior_type actor::handlers() {
 
 void actor::started() {
   flow_.emplace(feed_, ways_of_flow());
-  carry_out(core_.on_start());
+  execute(core_.on_start());
   tell_after(tick_period, me(), tick{incarnation_number()});
 }
 
-void actor::carry_out(const steps& wanted) {
+void actor::execute(const steps& wanted) {
   for (const auto& each : wanted)
-    std::visit([this](const auto& what) { carry_out(what); }, each);
+    std::visit([this](const auto& what) { execute(what); }, each);
 }
 
-void actor::carry_out(const begin_fetch&) { tell(others_->client, mission_client::begin_mission{mission_id_}); }
+void actor::execute(const begin_fetch&) { tell(others_->client, mission_client::begin_mission{mission_id_}); }
 
-void actor::carry_out(const choose&) {
+void actor::execute(const choose&) {
   ask(
       others_->store, answer_timeout, mapobjects_store::choose_mission{mission_id_},
       [this](const mapobjects_store::map_answer& answer) {
         if (answer.failure == map_failure::none)
-          carry_out(core_.on_chosen());
+          execute(core_.on_chosen());
         else if (answer.failure != map_failure::busy)
-          carry_out(core_.on_map_broken(answer.error));
+          execute(core_.on_map_broken(answer.error));
       },
       [](const ask_error&) {}); // asked again with the next tick
 }
 
-void actor::carry_out(const look&) {
+void actor::execute(const look&) {
   ask(
       others_->client, answer_timeout, mission_client::get_service{},
-      [this](const mission_client::service_status& now) { carry_out(core_.on_status(now)); }, [](const ask_error&) {});
+      [this](const mission_client::service_status& now) { execute(core_.on_status(now)); }, [](const ask_error&) {});
 }
 
-void actor::carry_out(const see&) { flow_->begin(); }
+void actor::execute(const see&) { flow_->begin(); }
 
-void actor::carry_out(const push&) { tell(others_->client, mission_client::push_map{mission_id_}); }
+void actor::execute(const push&) { tell(others_->client, mission_client::push_map{mission_id_}); }
 
-void actor::carry_out(const count_owed&) {
+void actor::execute(const count_owed&) {
   wants_owed_ = true;
   ask(
       others_->store, answer_timeout, mapobjects_store::get_owed{},
@@ -96,22 +96,22 @@ void actor::carry_out(const count_owed&) {
         if (left.failure != map_failure::none)
           return;
         wants_owed_ = false;
-        carry_out(core_.on_owed(left));
+        execute(core_.on_owed(left));
       },
       [](const ask_error&) {});
 }
 
-void actor::carry_out(const begin_later&) { tell_after(retry_after, me(), retry_due{}); }
+void actor::execute(const begin_later&) { tell_after(retry_after, me(), retry_due{}); }
 
 // What an answer did not resolve is asked again, once a second.
 void actor::look_again() {
   const auto now = core_.now();
   if (now == phase::loading || now == phase::pulling)
-    carry_out(has_service_ ? steps{look{}} : steps{choose{}});
+    execute(has_service_ ? steps{look{}} : steps{choose{}});
   if (now == phase::pushing)
-    carry_out(look{});
+    execute(look{});
   if (wants_owed_)
-    carry_out(count_owed{});
+    execute(count_owed{});
   if (!has_news_of_vehicle_)
     look_at_vehicle();
   flow_->look_again();
@@ -126,7 +126,7 @@ void actor::look_at_vehicle() {
         if (has_news_of_vehicle_ || now.reason.empty())
           return;
         has_news_of_vehicle_ = true;
-        carry_out(announce{sentence_of(vehicle_link::connection_changed{now.phase, now.reason}), true});
+        execute(announce{sentence_of(vehicle_link::connection_changed{now.phase, now.reason}), true});
       },
       [](const ask_error&) {});
 }
@@ -138,10 +138,10 @@ daemon::sighting_flow::ways actor::ways_of_flow() {
             [failed = std::move(failed)](const ask_error&) { failed(); });
       },
       [this](std::string sentence) {
-        carry_out(announce{std::move(sentence), true});
+        execute(announce{std::move(sentence), true});
       },
-      [this] { carry_out(core_.on_sightings_over(flow_->counts())); },
-      [this](const std::string& error) { carry_out(core_.on_map_broken(error)); }};
+      [this] { execute(core_.on_sightings_over(flow_->counts())); },
+      [this](const std::string& error) { execute(core_.on_map_broken(error)); }};
 }
 
 // There is no plan on the vehicle that could be changed. The key follows from the assignment, so that turning it down
@@ -154,7 +154,7 @@ void actor::turn_down(const mission_client::assignment_arrived& wanted) {
   response.reason = reason;
   tell(others_->client,
        mission_client::respond_to_assignment{wanted.mission_id, wanted.assignment.assignment_id, std::move(response)});
-  carry_out(announce{"assignment " + wanted.assignment.assignment_id + " is turned down: " + reason});
+  execute(announce{"assignment " + wanted.assignment.assignment_id + " is turned down: " + reason});
 }
 
 } // namespace godwit::ground_run

@@ -47,16 +47,16 @@ protected:
   void started() override;
 
 private:
-  void carry_out(const steps& wanted);
-  void carry_out(const begin_fetch&);
-  void carry_out(const choose&);
-  void carry_out(const look&);
-  void carry_out(const see&);
-  void carry_out(const push&);
-  void carry_out(const count_owed&);
-  void carry_out(const begin_later&);
-  void carry_out(const announce& said) { world_.tell_people(said); }
-  void carry_out(const finish& how) { world_.end(how); }
+  void execute(const steps& wanted);
+  void execute(const begin_fetch&);
+  void execute(const choose&);
+  void execute(const look&);
+  void execute(const see&);
+  void execute(const push&);
+  void execute(const count_owed&);
+  void execute(const begin_later&);
+  void execute(const announce& said) { world_.tell_people(said); }
+  void execute(const finish& how) { world_.end(how); }
 
   [[nodiscard]] daemon::sighting_flow::ways ways_of_flow();
   void look_again();

@@ -105,7 +105,7 @@ void flight_world::obey() {
   }
 }
 
-void flight_world::take_one(const command_vehicle& command) {
+void flight_world::handle(const command_vehicle& command) {
   sent.push_back(command);
   if (!first_sent_ms)
     first_sent_ms = ms_;
@@ -121,7 +121,7 @@ void flight_world::take_one(const command_vehicle& command) {
     to_core_.push_back({ms_ + command_timeout_ms, {command.number, command_verdict::timed_out}});
 }
 
-void flight_world::take_one(const failsafe_status_changed& what) {
+void flight_world::handle(const failsafe_status_changed& what) {
   const auto last = std::exchange(told_, what.now);
   const auto& before = last.reacts;
   const auto& reacts = what.now.reacts;
@@ -132,7 +132,7 @@ void flight_world::take_one(const failsafe_status_changed& what) {
   pilots_seen += what.now.taken_over && !last.taken_over ? 1 : 0;
 }
 
-void flight_world::take_one(const remember& written) {
+void flight_world::handle(const remember& written) {
   ++remembered;
   auto next = records_.back();
   (void)durable_core::apply(next, written.what, now().wall_ns);
@@ -143,7 +143,7 @@ void flight_world::take_one(const remember& written) {
 
 void flight_world::take(const effects& wanted) {
   for (const auto& each : wanted)
-    std::visit([this](const auto& what) { take_one(what); }, each);
+    std::visit([this](const auto& what) { handle(what); }, each);
 }
 
 void flight_world::run_ms(std::int64_t ms) {

@@ -101,13 +101,13 @@ private:
   void speak();
   void obey();
   void take(const failsafe::effects& wanted);
-  void take_one(const failsafe::command_vehicle& command);
-  void take_one(const failsafe::failsafe_status_changed& what);
-  void take_one(const failsafe::override_resolved& what) { answered.push_back(what.answer); }
-  void take_one(const failsafe::guard_resolved& what) { limits_answered.push_back(what.answer); }
-  void take_one(const failsafe::warning& what) { warnings.push_back(what.text); }
-  void take_one(const godwit::runtime::condition& what) { told_health.push_back(what); }
-  void take_one(const failsafe::remember& written);
+  void handle(const failsafe::command_vehicle& command);
+  void handle(const failsafe::failsafe_status_changed& what);
+  void handle(const failsafe::override_resolved& what) { answered.push_back(what.answer); }
+  void handle(const failsafe::guard_resolved& what) { limits_answered.push_back(what.answer); }
+  void handle(const failsafe::warning& what) { warnings.push_back(what.text); }
+  void handle(const godwit::runtime::condition& what) { told_health.push_back(what); }
+  void handle(const failsafe::remember& written);
 
   failsafe::settings settings_;
   std::int64_t ms_ = 0;

@@ -68,7 +68,7 @@ struct fleet_world {
   void turn() {
     if (const auto news = core.newly_delivered(state))
       apply(*news);
-    carry_out(core.turn(state, now()));
+    execute(core.turn(state, now()));
   }
   void wait(std::int64_t ns) {
     for (const auto end_ns = now_ns + ns; now_ns < end_ns;) {
@@ -76,7 +76,7 @@ struct fleet_world {
       turn();
     }
   }
-  void carry_out(const fleet_link::effects& all) {
+  void execute(const fleet_link::effects& all) {
     for (const auto& each : all) {
       if (const auto* open = std::get_if<fleet_link::open_broker>(&each)) {
         attempt = open->attempt;
@@ -100,14 +100,14 @@ struct fleet_world {
     if (!attempt || is_open)
       return;
     is_open = true;
-    carry_out(core.on_opened({*attempt, max_packet_bytes}, state, now()));
+    execute(core.on_opened({*attempt, max_packet_bytes}, state, now()));
   }
   void refuse(fleet_link::broker_failure why, const std::string& sentence = "no") {
     if (!attempt)
       return;
     const auto which = *attempt;
     cut();
-    carry_out(core.on_closed({which, why, sentence}, now()));
+    execute(core.on_closed({which, why, sentence}, now()));
   }
   // The connection is gone, and what was on its way with it; nobody has told yet.
   void cut() {

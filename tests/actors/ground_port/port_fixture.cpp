@@ -56,7 +56,7 @@ void port_fixture::make_core() {
 }
 
 void port_fixture::bytes(io::link::peer_id peer, std::span<const std::byte> what) {
-  carry_out(core_->on_bytes(peer, true, what, now()));
+  execute(core_->on_bytes(peer, true, what, now()));
 }
 
 void port_fixture::executor_answers(executor::start_verdict verdict, const std::string& reason) {
@@ -71,7 +71,7 @@ void port_fixture::advance(std::int64_t duration_ns) {
   const auto until = now_ns_ + duration_ns;
   while (core_->next_deadline_ns() <= until) {
     now_ns_ = std::max(now_ns_, core_->next_deadline_ns());
-    carry_out(core_->on_time(now()));
+    execute(core_->on_time(now()));
   }
   now_ns_ = until;
 }
@@ -161,7 +161,7 @@ std::uint64_t port_fixture::count_of(const std::string& name) const {
   return ~std::uint64_t{0};
 }
 
-void port_fixture::carry_out(const effects& wanted) {
+void port_fixture::execute(const effects& wanted) {
   for (const auto& each : wanted) {
     if (const auto* out = std::get_if<transmission>(&each))
       frames.push_back(*out);
@@ -209,15 +209,15 @@ void port_fixture::dispatch(const durable_core::effect& each) {
         else if constexpr (std::is_same_v<M, executor::plan_taken>) {
           taken.push_back(m);
           if (judges)
-            carry_out(core_->on_plan_judged({m.type, m.plan_id, verdict()}, now()));
+            execute(core_->on_plan_judged({m.type, m.plan_id, verdict()}, now()));
         } else if constexpr (std::is_same_v<M, executor::plan_cleared>) {
           cleared.push_back(m);
           if (judges)
-            carry_out(core_->on_plan_judged({m.type, 0, verdict()}, now()));
+            execute(core_->on_plan_judged({m.type, 0, verdict()}, now()));
         } else if constexpr (std::is_same_v<M, executor::start_mission>)
           starts.push_back(m);
         else
-          carry_out(core_->on_durable(m, now()));
+          execute(core_->on_durable(m, now()));
       },
       each);
 }

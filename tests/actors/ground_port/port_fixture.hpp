@@ -47,53 +47,53 @@ public:
     bytes(peer, mavlink::encode(message, from, sequence_++).span());
   }
   void bytes(io::link::peer_id peer, std::span<const std::byte> what);
-  void vehicle_says(const telemetry& m) { carry_out(core_->on_telemetry(m, now())); }
-  void executor_says(const mission_progress& m) { carry_out(core_->on_progress(m, now())); }
-  void executor_says(const item_reached& m) { carry_out(core_->on_item_reached(m, now())); }
-  void executor_says(const status_text& m) { carry_out(core_->on_status_text(m, now())); }
-  void executor_says(const set_mission& m) { carry_out(core_->on_set_mission(m, now())); }
-  void executor_says(const executor::start_answer& m) { carry_out(core_->on_start_answer(m, now())); }
+  void vehicle_says(const telemetry& m) { execute(core_->on_telemetry(m, now())); }
+  void executor_says(const mission_progress& m) { execute(core_->on_progress(m, now())); }
+  void executor_says(const item_reached& m) { execute(core_->on_item_reached(m, now())); }
+  void executor_says(const status_text& m) { execute(core_->on_status_text(m, now())); }
+  void executor_says(const set_mission& m) { execute(core_->on_set_mission(m, now())); }
+  void executor_says(const executor::start_answer& m) { execute(core_->on_start_answer(m, now())); }
   void executor_says(const executor::current_answer& m) {
-    carry_out(core_->on_current_answer(set_currents.back().request, m, now()));
+    execute(core_->on_current_answer(set_currents.back().request, m, now()));
   }
   void executor_fails_to_answer(const std::string& reason) {
-    carry_out(core_->on_current_failed(set_currents.back().request, reason, now()));
+    execute(core_->on_current_failed(set_currents.back().request, reason, now()));
   }
   // To the last command, or to the one with this place among them.
   void executor_says(const operators::answer& m) { executor_says(m, words.size() - 1); }
   void executor_says(const operators::answer& m, std::size_t which) {
-    carry_out(core_->on_word_answer(words.at(which).request, m, now()));
+    execute(core_->on_word_answer(words.at(which).request, m, now()));
   }
   void executor_fails_to_hear(const std::string& reason) {
-    carry_out(core_->on_word_failed(words.back().request, reason, now()));
+    execute(core_->on_word_failed(words.back().request, reason, now()));
   }
   // To the last act of a person, or to the one with this place among them.
   void executor_says(executor::act_verdict verdict, const std::string& reason = {}) {
-    carry_out(core_->on_act_answer(acts.back().request, {verdict, reason}, now()));
+    execute(core_->on_act_answer(acts.back().request, {verdict, reason}, now()));
   }
   // What has come of the last act that was begun.
   void executor_resolves(executor::act_verdict verdict, const std::string& reason = {}) {
-    carry_out(core_->on_act_resolved({acts.back().request, {verdict, reason}}, now()));
+    execute(core_->on_act_resolved({acts.back().request, {verdict, reason}}, now()));
   }
   // The vehicle answers a command of a station.
   void vehicle_answers(std::uint16_t command, mavlink::mav_result result, mavlink::sender to = station_id,
                        mavlink::sender who = autopilot_id);
   void executor_is_silent() {
-    carry_out(core_->on_act_failed(acts.back().request, "the executor does not answer", now()));
+    execute(core_->on_act_failed(acts.back().request, "the executor does not answer", now()));
   }
   void answers_act(std::uint64_t request, const executor::act_answer& m) {
-    carry_out(core_->on_act_answer(request, m, now()));
+    execute(core_->on_act_answer(request, m, now()));
   }
   void leaves_act(std::uint64_t request) {
-    carry_out(core_->on_act_failed(request, "the executor does not answer", now()));
+    execute(core_->on_act_failed(request, "the executor does not answer", now()));
   }
   // Empty: nobody.
-  void has_control(const std::string& name) { carry_out(core_->on_control({name}, now())); }
-  void judge(const plan_judged& m) { carry_out(core_->on_plan_judged(m, now())); }
-  void component_says(const vehicle_link::relayed_frame& m) { carry_out(core_->on_relayed(m, now())); }
+  void has_control(const std::string& name) { execute(core_->on_control({name}, now())); }
+  void judge(const plan_judged& m) { execute(core_->on_plan_judged(m, now())); }
+  void component_says(const vehicle_link::relayed_frame& m) { execute(core_->on_relayed(m, now())); }
   // The answer to the last start that was asked for; started: with the progress that follows it.
   void executor_answers(executor::start_verdict verdict, const std::string& reason = {});
-  void link_is(io::link::link_phase phase) { carry_out(core_->on_link({phase, "cut", 0}, now())); }
+  void link_is(io::link::link_phase phase) { execute(core_->on_link({phase, "cut", 0}, now())); }
   void advance(std::int64_t duration_ns); // it acts at its deadlines and at no other time
 
   // COUNT and each item that is asked for. The final answer.
@@ -164,7 +164,7 @@ public:
   std::size_t events = 0;
 
 private:
-  void carry_out(const effects& wanted);
+  void execute(const effects& wanted);
   void write(const durable_event& each);
   void reserve_signing_time();
   void dispatch(const durable_core::effect& each);

@@ -37,7 +37,7 @@ TEST(operator_audit, three_thousand_refused_commands_of_a_viewer_in_a_second_are
   const auto before = desk.rows_written;
   for (int i = 0; i < 3'000; ++i) {
     const audit_note said{eve, "override " + std::to_string(i), "refused", "reason " + std::to_string(i)};
-    desk.carry_out(desk.decides().on_note(said, desk.now));
+    desk.execute(desk.decides().on_note(said, desk.now));
     desk.now.monotonic_ns += s / 3'000;
     desk.now.wall_ns += s / 3'000;
   }
@@ -54,7 +54,7 @@ TEST(operator_audit, what_somebody_is_refused_takes_no_room_from_what_the_same_p
   bridge_desk desk;
   const auto anna = desk.pilot();
   for (int i = 0; i < 200; ++i)
-    desk.carry_out(desk.decides().on_note({anna, "try " + std::to_string(i), "refused", {}}, desk.now));
+    desk.execute(desk.decides().on_note({anna, "try " + std::to_string(i), "refused", {}}, desk.now));
   const auto before = rows_of(desk, "anna");
   for (int i = 0; i < 50; ++i)
     EXPECT_EQ(desk.say_all_the_way(desk.command(anna, command_kind::check, "c" + std::to_string(i))), verdict::taken);
@@ -66,8 +66,8 @@ TEST(operator_audit, more_people_than_are_told_apart_share_what_is_left_and_noth
   constexpr auto people = 4 * audit::max_shares;
   for (std::size_t i = 0; i < people; ++i)
     for (int n = 0; n < 30; ++n)
-      desk.carry_out(desk.decides().on_note(
-          {{"p" + std::to_string(i), role::operator_, "mavlink"}, "do", "refused", {}}, desk.now));
+      desk.execute(desk.decides().on_note({{"p" + std::to_string(i), role::operator_, "mavlink"}, "do", "refused", {}},
+                                          desk.now));
   EXPECT_LE(desk.rows_written, 20 * (audit::max_shares + 1));
   for (int i = 0; i < 60; ++i)
     desk.pass(s);

@@ -25,12 +25,12 @@ public:
   // -- who is there
   operators::principal log_in(const std::string& name, operators::role as = operators::role::operator_) {
     const auto [wanted, answer] = core_->on_open(open_session{{name, as, "stamp", {}}, "hash of " + name, "here"}, now);
-    carry_out(wanted);
+    execute(wanted);
     return answer.who;
   }
   control_answer control(const operators::principal& by, control_act act, const std::string& to = {}) {
     const auto [wanted, answer] = core_->on_control({by, act, to}, now);
-    carry_out(wanted);
+    execute(wanted);
     return answer;
   }
   operators::principal pilot(const std::string& name = "anna") {
@@ -50,7 +50,7 @@ public:
     return result;
   }
   std::uint64_t say(const operator_command& m) {
-    carry_out(core_->on_command(m, ++last_request, now));
+    execute(core_->on_command(m, ++last_request, now));
     return last_request;
   }
   // What it is answered when the executor takes what it is handed, at once.
@@ -67,26 +67,26 @@ public:
       const auto decided = core_->on_written(number, now);
       if (decided.goes)
         out({number, decided.what, false});
-      carry_out(decided.otherwise);
+      execute(decided.otherwise);
     }
   }
-  void answer(std::uint64_t number, const operators::answer& m) { carry_out(core_->on_answer(number, m, now)); }
-  void no_answer(std::uint64_t number, bool was_taken) { carry_out(core_->on_no_answer(number, was_taken, now)); }
+  void answer(std::uint64_t number, const operators::answer& m) { execute(core_->on_answer(number, m, now)); }
+  void no_answer(std::uint64_t number, bool was_taken) { execute(core_->on_no_answer(number, was_taken, now)); }
   void pass(std::int64_t ns) {
     now.monotonic_ns += ns;
     now.wall_ns += ns;
     if (now.monotonic_ns >= core_->next_due_ns())
-      carry_out(core_->on_time(now));
+      execute(core_->on_time(now));
   }
   // What was not written is written, and who waited is forgotten.
   void crash() {
     waiting.clear();
     with_executor.clear();
     core_.emplace(set, durable, now);
-    carry_out(core_->on_start(now));
+    execute(core_->on_start(now));
   }
   core& decides() { return *core_; }
-  void carry_out(const effects& wanted) {
+  void execute(const effects& wanted) {
     for (const auto& each : wanted)
       std::visit([this](const auto& what) { take(what); }, each);
   }

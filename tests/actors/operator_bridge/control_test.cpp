@@ -102,7 +102,7 @@ TEST(operator_control, is_taken_along_into_another_session_of_the_same_person) {
 TEST(operator_control, ends_with_the_session) {
   bridge_desk desk;
   const auto anna = desk.pilot();
-  desk.carry_out(desk.decides().on_end({anna}, desk.now).first);
+  desk.execute(desk.decides().on_end({anna}, desk.now).first);
   EXPECT_FALSE(desk.durable.control);
 }
 

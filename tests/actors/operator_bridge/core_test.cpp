@@ -76,7 +76,7 @@ TEST(operator_bridge_core, leave_for_what_is_no_command_has_the_rules_of_one_and
   const auto eve = desk.log_in("eve", role::viewer);
   const auto ask = [&](const operators::principal& by) {
     const auto [wanted, answer] = desk.decides().on_leave({by, "confirm point 3"}, desk.now);
-    desk.carry_out(wanted);
+    desk.execute(wanted);
     return answer.verdict;
   };
   for (const auto& [by, wanted, rows] : {std::tuple(anna, verdict::taken, 0U),

@@ -12,7 +12,7 @@ using operators::role;
 
 identity who_is(bridge_desk& desk, const std::string& hash) {
   const auto [wanted, answer] = desk.decides().on_identify({hash}, desk.now);
-  desk.carry_out(wanted);
+  desk.execute(wanted);
   return answer;
 }
 
@@ -57,12 +57,12 @@ TEST(operator_sessions, a_link_logs_in_once_and_for_five_minutes) {
   bridge_desk desk;
   const auto make = [&](const operators::principal& by, const std::string& hash) {
     const auto [wanted, answer] = desk.decides().on_link({by, hash}, desk.now);
-    desk.carry_out(wanted);
+    desk.execute(wanted);
     return answer.is_made;
   };
   const auto use = [&](const std::string& hash) {
     const auto [wanted, answer] = desk.decides().on_open(use_link{hash, "token of " + hash, "there"}, desk.now);
-    desk.carry_out(wanted);
+    desk.execute(wanted);
     return answer;
   };
   EXPECT_FALSE(make(desk.log_in("anna"), "x")) << "not in a session";
@@ -83,10 +83,10 @@ TEST(operator_sessions, of_an_account_that_is_gone_or_has_another_role_or_passwo
   bridge_desk desk;
   for (const auto* name : {"anna", "bob", "carol", "dora"})
     (void)desk.log_in(name);
-  desk.carry_out(desk.decides().on_accounts({{{"anna", role::operator_, "stamp", {}},
-                                              {"bob", role::viewer, "stamp", {}},
-                                              {"carol", role::operator_, "another", {}}}},
-                                            desk.now));
+  desk.execute(desk.decides().on_accounts({{{"anna", role::operator_, "stamp", {}},
+                                            {"bob", role::viewer, "stamp", {}},
+                                            {"carol", role::operator_, "another", {}}}},
+                                          desk.now));
   EXPECT_TRUE(who_is(desk, "hash of anna").is_known);
   for (const auto* name : {"bob", "carol", "dora"})
     EXPECT_FALSE(who_is(desk, std::string("hash of ") + name).is_known) << name;
@@ -95,12 +95,12 @@ TEST(operator_sessions, of_an_account_that_is_gone_or_has_another_role_or_passwo
 
 TEST(operator_sessions, a_program_comes_with_the_token_of_its_account) {
   bridge_desk desk;
-  desk.carry_out(desk.decides().on_accounts({{{"planner", role::operator_, "stamp", "hash of its token"}}}, desk.now));
+  desk.execute(desk.decides().on_accounts({{{"planner", role::operator_, "stamp", "hash of its token"}}}, desk.now));
   const auto program = who_is(desk, "hash of its token").who;
   EXPECT_EQ(program.name, "planner");
   EXPECT_TRUE(desk.control(program, control_act::take).is_done);
   EXPECT_EQ(desk.say_all_the_way(desk.command(program, operators::command_kind::start)), verdict::taken);
-  desk.carry_out(desk.decides().on_accounts({}, desk.now));
+  desk.execute(desk.decides().on_accounts({}, desk.now));
   EXPECT_EQ(desk.over, (std::vector<std::string>{"token:planner"}));
   EXPECT_FALSE(desk.durable.control);
   EXPECT_EQ(desk.say_all_the_way(desk.command(program, operators::command_kind::start)), verdict::no_session);

@@ -35,7 +35,7 @@ public:
   }
 
   // Carries frames to and fro until nobody has anything to say, and keeps what is told.
-  void carry_out(effects first) {
+  void execute(effects first) {
     std::deque<effects> waiting;
     waiting.push_back(std::move(first));
     while (!waiting.empty()) {
@@ -77,7 +77,7 @@ private:
 
 TEST(vehicle_link_transfer, a_plan_goes_up_and_the_asker_hears_what_became_of_it) {
   conversation c;
-  c.carry_out(c.it.on_upload(7, survey(50), at(c.now_ns)));
+  c.execute(c.it.on_upload(7, survey(50), at(c.now_ns)));
   ASSERT_EQ(c.resolved().size(), 1U);
   EXPECT_EQ(c.resolved()[0].request_id, 7U);
   EXPECT_EQ(c.resolved()[0].outcome.verdict, transfer::verdict::accepted) << c.resolved()[0].outcome.reason;
@@ -86,7 +86,7 @@ TEST(vehicle_link_transfer, a_plan_goes_up_and_the_asker_hears_what_became_of_it
 
 TEST(vehicle_link_transfer, listeners_hear_how_far_it_is) {
   conversation c;
-  c.carry_out(c.it.on_upload(7, survey(50), at(c.now_ns)));
+  c.execute(c.it.on_upload(7, survey(50), at(c.now_ns)));
   const auto steps = announced<transfer::progress>(c.told);
   ASSERT_FALSE(steps.empty());
   EXPECT_EQ(steps.back(), (transfer::progress{50, 50}));
@@ -94,11 +94,11 @@ TEST(vehicle_link_transfer, listeners_hear_how_far_it_is) {
 
 TEST(vehicle_link_transfer, a_plan_comes_down_as_the_vehicle_holds_it_and_is_cleared) {
   conversation c;
-  c.carry_out(c.it.on_upload(1, survey(20), at(c.now_ns)));
-  c.carry_out(c.it.on_download(2, {mission}, at(c.now_ns)));
+  c.execute(c.it.on_upload(1, survey(20), at(c.now_ns)));
+  c.execute(c.it.on_download(2, {mission}, at(c.now_ns)));
   ASSERT_EQ(c.resolved().size(), 2U);
   EXPECT_EQ(c.resolved()[1].outcome.items.size(), 20U);
-  c.carry_out(c.it.on_clear(3, {mission}, at(c.now_ns)));
+  c.execute(c.it.on_clear(3, {mission}, at(c.now_ns)));
   EXPECT_EQ(c.resolved().back().outcome.verdict, transfer::verdict::accepted);
   EXPECT_TRUE(c.vehicle.plan(mission).items.empty());
 }
@@ -106,7 +106,7 @@ TEST(vehicle_link_transfer, a_plan_comes_down_as_the_vehicle_holds_it_and_is_cle
 TEST(vehicle_link_transfer, a_second_one_is_refused_while_one_is_under_way) {
   conversation c;
   (void)c.it.on_upload(1, survey(20), at(c.now_ns)); // its frames are not carried: it waits
-  c.carry_out(c.it.on_download(2, {mission}, at(c.now_ns)));
+  c.execute(c.it.on_download(2, {mission}, at(c.now_ns)));
   ASSERT_EQ(c.resolved().size(), 1U);
   EXPECT_EQ(c.resolved()[0].request_id, 2U);
   EXPECT_EQ(c.resolved()[0].outcome.verdict, transfer::verdict::not_begun);
@@ -127,13 +127,13 @@ TEST(vehicle_link_transfer, nothing_is_begun_without_a_vehicle_and_the_reason_sa
 TEST(vehicle_link_transfer, a_cancelled_one_ends_at_once_and_makes_room) {
   conversation c;
   (void)c.it.on_upload(1, survey(20), at(c.now_ns));
-  c.carry_out(c.it.on_cancel_transfer(at(c.now_ns)));
+  c.execute(c.it.on_cancel_transfer(at(c.now_ns)));
   ASSERT_EQ(c.resolved().size(), 1U);
   EXPECT_EQ(c.resolved()[0].outcome.verdict, transfer::verdict::cancelled);
   // The next may wait until nothing of this one can be on the line any more.
-  c.carry_out(c.it.on_upload(2, survey(20), at(c.now_ns)));
+  c.execute(c.it.on_upload(2, survey(20), at(c.now_ns)));
   for (const auto end_ns = c.now_ns + 5 * s; c.resolved().size() < 2 && c.now_ns < end_ns; c.now_ns += 10 * ms)
-    c.carry_out(c.it.on_time(at(c.now_ns)));
+    c.execute(c.it.on_time(at(c.now_ns)));
   EXPECT_EQ(c.resolved().back().outcome.verdict, transfer::verdict::accepted);
 }
 

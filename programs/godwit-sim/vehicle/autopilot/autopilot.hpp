@@ -203,7 +203,7 @@ protected:
   // Where its autopilot sends it: on the line of who asked, or wherever it was heard.
   void acknowledge(const role::order& what, answer result);
   void ask_for_restart() { wants_restart_ = true; }
-  // A message that goes out after the answer to the order that is being carried out.
+  // A message that goes out after the answer to the order that is being executed.
   void owe(std::uint32_t message) { owed_message_ = message; }
 
 private:
@@ -213,7 +213,7 @@ private:
     handler handle;
   };
   [[nodiscard]] static handler handler_for(std::uint16_t command);
-  [[nodiscard]] answer carry_out(const role::order& what);
+  [[nodiscard]] answer execute(const role::order& what);
 
   // orders.cpp
   answer arm_or_disarm(const role::order& what);

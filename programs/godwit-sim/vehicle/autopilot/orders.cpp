@@ -46,7 +46,7 @@ autopilot::handler autopilot::handler_for(std::uint16_t command) {
   return found == rows.end() ? nullptr : found->handle;
 }
 
-mav_result autopilot::carry_out(const role::order& what) {
+mav_result autopilot::execute(const role::order& what) {
   if (const auto refused = refusals_.take(what.command))
     return static_cast<mav_result>(*refused);
   const auto handle = handler_for(what.command);
@@ -54,7 +54,7 @@ mav_result autopilot::carry_out(const role::order& what) {
 }
 
 void autopilot::take(const role::order& what) {
-  const auto result = carry_out(what);
+  const auto result = execute(what);
   acknowledge(what, result);
   if (owed_message_) {
     const bool is_for_all = *owed_message_ == mavlink::home_position::message_id;

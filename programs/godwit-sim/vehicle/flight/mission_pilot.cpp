@@ -27,7 +27,7 @@ void mission_pilot::step(mover& vehicle, position& home, double step_s, happenin
   }
   is_interrupted_ = false;
   commands_wait_s_ = std::max(0.0, commands_wait_s_ - step_s);
-  carry_out_due(vehicle, home, said);
+  execute_due(vehicle, home, said);
   if (run_.state() == run_state::idle)
     vehicle.hold(step_s);
   else
@@ -125,13 +125,13 @@ void mission_pilot::begin(const mover& vehicle, position& home, happenings& said
     maneuver_.begin({});
   if (run_.state() != run_state::completed)
     return;
-  carry_out_all(vehicle, home, said);
+  execute_all(vehicle, home, said);
   said.emplace_back(mission_completed{});
 }
 
 // False: it is nothing to fly.
 bool mission_pilot::begin_nav(const mover& vehicle, position& home, happenings& said) {
-  carry_out_due(vehicle, home, said);
+  execute_due(vehicle, home, said);
   return plan(vehicle, home, said);
 }
 
@@ -150,13 +150,13 @@ bool mission_pilot::plan(const mover& vehicle, const position& home, happenings&
   return true;
 }
 
-void mission_pilot::carry_out_next(const mover& vehicle, position& home, happenings& said) {
+void mission_pilot::execute_next(const mover& vehicle, position& home, happenings& said) {
   const int sequence = commands_.front();
   commands_.pop_front();
   const auto& command = run_.items()[static_cast<std::size_t>(sequence)];
   if (command.command == condition_delay && command.param1 > 0)
     commands_wait_s_ = static_cast<double>(command.param1);
-  auto reason = carry_out(command, vehicle.what(), vehicle.where().where, how_fast_, home);
+  auto reason = execute_command(command, vehicle.what(), vehicle.where().where, how_fast_, home);
   if (reason)
     return void(said.emplace_back(item_skipped{sequence, *std::move(reason)}));
   if (command.command != do_jump)
@@ -164,14 +164,14 @@ void mission_pilot::carry_out_next(const mover& vehicle, position& home, happeni
   execute(command, vehicle.where().where, said);
 }
 
-void mission_pilot::carry_out_due(const mover& vehicle, position& home, happenings& said) {
+void mission_pilot::execute_due(const mover& vehicle, position& home, happenings& said) {
   while (!commands_.empty() && commands_wait_s_ <= 0)
-    carry_out_next(vehicle, home, said);
+    execute_next(vehicle, home, said);
 }
 
-void mission_pilot::carry_out_all(const mover& vehicle, position& home, happenings& said) {
+void mission_pilot::execute_all(const mover& vehicle, position& home, happenings& said) {
   while (!commands_.empty())
-    carry_out_next(vehicle, home, said);
+    execute_next(vehicle, home, said);
   commands_wait_s_ = 0;
 }
 
@@ -223,8 +223,8 @@ bool is_executed(std::uint16_t command) {
 
 } // namespace
 
-std::optional<std::string> carry_out(const mission_item_int& command, const craft& what, const position& here,
-                                     pace& how_fast, position& home) {
+std::optional<std::string> execute_command(const mission_item_int& command, const craft& what, const position& here,
+                                           pace& how_fast, position& home) {
   switch (command.command) {
   case do_change_speed:
     return change_speed(command, what, how_fast);

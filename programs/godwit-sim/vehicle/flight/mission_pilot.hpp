@@ -1,9 +1,9 @@
-// Flies the items of a mission: begins each, carries out the commands beside it, says when it is done.
+// Flies the items of a mission: begins each, executes the commands beside it, says when it is done.
 //
 // What a step says is in the order in which a ground station must hear it:
 //
 //   item_begun, [item_skipped]      when an item begins; skipped is the item itself
-//   [command_executed, item_skipped ...]  the commands behind the item before; skipped: it is of no use here
+//   [command_executed, item_skipped ...]  the commands after the item before; skipped: it is of no use here
 //   [took_off, landed]              said by flight, while the body moves
 //   [pictured ...]                  each so many metres, while a trigger by distance is on
 //   item_reached                    after the hold
@@ -33,8 +33,9 @@ namespace godwit::sim {
 
 // DO_CHANGE_SPEED changes HOW_FAST, DO_SET_HOME changes HOME; jumps, delays, marks, cameras, servos and the like leave
 // all as it is. The answer, if any, says why it was of no use.
-[[nodiscard]] std::optional<std::string> carry_out(const io::mavlink::mission_item_int& command, const craft& what,
-                                                   const position& here, pace& how_fast, position& home);
+[[nodiscard]] std::optional<std::string> execute_command(const io::mavlink::mission_item_int& command,
+                                                         const craft& what, const position& here, pace& how_fast,
+                                                         position& home);
 
 // What happens on the way, for who tells the ground about it. Thread: values.
 struct took_off {};
@@ -89,9 +90,9 @@ private:
   void go_on(const mover& vehicle, const position& home, happenings& said);
   bool begin_nav(const mover& vehicle, position& home, happenings& said);
   bool plan(const mover& vehicle, const position& home, happenings& said);
-  void carry_out_next(const mover& vehicle, position& home, happenings& said);
-  void carry_out_due(const mover& vehicle, position& home, happenings& said);
-  void carry_out_all(const mover& vehicle, position& home, happenings& said);
+  void execute_next(const mover& vehicle, position& home, happenings& said);
+  void execute_due(const mover& vehicle, position& home, happenings& said);
+  void execute_all(const mover& vehicle, position& home, happenings& said);
   void drop_late(happenings& said);
   void queue_commands();
   void execute(const io::mavlink::mission_item_int& command, const position& here, happenings& said);
@@ -107,7 +108,7 @@ private:
   position pictured_at_;
   double load_wait_s_ = 0; // a gripper is moving
   bool is_released_ = true;
-  // The commands behind the item before that are still to be carried out, by sequence, and how long they wait. No more
+  // The commands after the item before that are still to be executed, by sequence, and how long they wait. No more
   // than the plan has, for each jump in a row.
   std::deque<int> commands_;
   double commands_wait_s_ = 0;

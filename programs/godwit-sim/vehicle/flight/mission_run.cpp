@@ -144,7 +144,7 @@ mission_run::next_item mission_run::find_next() const {
       found.jump = sequence;
       return found;
     }
-    // Behind a NAV item stand the commands that were carried out beside it.
+    // After a NAV item stand the commands that were executed beside it.
     if (is_nav(item) || !is_nav(from)) {
       found.to = sequence;
       return found;

@@ -7,7 +7,7 @@
 //
 // A completed one is idle again after load(), stop() and set_current(). Sequences are those of the plan as the vehicle
 // keeps it; an ArduPilot's item 0 is home and is not flown. NAV commands (id <= 95) move; the DO and CONDITION commands
-// between two NAV items are carried out when the first of the two begins. Held, without moving on, after an item with
+// between two NAV items are executed when the first of the two begins. Held, without moving on, after an item with
 // autocontinue 0, when a NAV item follows; start() and set_current() go on from there. A DO_JUMP leads back as often as
 // it says. A mission of DO commands alone completes at once. Pure: flight asks for the item to fly, and says when it
 // was done. Thread: one at a time. Source: MAVLink mission protocol; MAV_CMD_DO_JUMP.

@@ -28,11 +28,11 @@ public:
 private:
   transfer::outcome run(transfer::step first) {
     next_ = world_.all().size();
-    carry_out(std::move(first));
+    execute(std::move(first));
     const auto done = [this] {
       hear();
       if (client_.next_deadline_ns().value_or(INT64_MAX) <= world_.now_ns())
-        carry_out(client_.on_time(world_.now_ns()));
+        execute(client_.on_time(world_.now_ns()));
       return outcome_.has_value();
     };
     outcome_.reset();
@@ -40,7 +40,7 @@ private:
     return outcome_.value_or(transfer::outcome{});
   }
 
-  void carry_out(transfer::step step) {
+  void execute(transfer::step step) {
     for (const auto& each : step.messages)
       std::visit([this](const auto& message) { world_.send(message); }, each);
     if (step.finished)
@@ -51,7 +51,7 @@ private:
   bool offer(const heard& each) {
     if (each.id != M::message_id)
       return false;
-    carry_out(client_.on(each.as<M>(), world_.now_ns()));
+    execute(client_.on(each.as<M>(), world_.now_ns()));
     return true;
   }
 

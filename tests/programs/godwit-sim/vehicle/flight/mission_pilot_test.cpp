@@ -325,7 +325,7 @@ struct sim_do_command : testing::Test {
   pace how_fast = own_pace(what);
   position home_now = home;
 
-  std::optional<std::string> carry(const item& which) { return carry_out(which, what, here, how_fast, home_now); }
+  std::optional<std::string> carry(const item& which) { return execute_command(which, what, here, how_fast, home_now); }
 };
 
 TEST_F(sim_do_command, change_speed_knows_four_kinds) {

@@ -50,12 +50,12 @@ bool take_verdict(Verdicts& of, const plan_judged& m) {
 } // namespace
 
 void core::make_server() {
-  auto autopilot_quirks = mission_server::plain_quirks();
-  autopilot_quirks.capacity = settings_.max_items;
-  autopilot_quirks.also_takes = settings_.allowed_commands;
-  autopilot_quirks.listens = mission_server::hears::component_0_too;
-  autopilot_quirks.when_partial = mission_server::partial_list::taken;
-  server_.emplace(autopilot_quirks, ourselves());
+  auto server_profile = mission_server::plain_profile();
+  server_profile.capacity = settings_.max_items;
+  server_profile.also_takes = settings_.allowed_commands;
+  server_profile.accepts = mission_server::accepted_address::component_0_too;
+  server_profile.when_partial = mission_server::partial_list::taken;
+  server_.emplace(server_profile, ourselves());
 }
 
 // -- plans ----------------------------------------------------------------------------------------

@@ -8,7 +8,7 @@
 
 #include "actors/domain/mission/commands/command_policy.hpp"
 #include "actors/ground_port/forward_gate.hpp"
-#include "actors/ground_port/mission_server/autopilot_quirks.hpp"
+#include "actors/ground_port/mission_server/server_profile.hpp"
 #include "io/mavlink/enums.hpp"
 #include "messages/operator/principal.hpp"
 

@@ -68,9 +68,9 @@ private:
   std::span<const std::uint8_t> left_;
 };
 
-inline autopilot_quirks quirks_for(int which) {
-  const std::array all{plain_quirks(), px4_quirks(), ardupilot_copter_quirks(), ardupilot_plane_quirks(),
-                       ardupilot_rover_quirks()};
+inline server_profile profile_of(int which) {
+  const std::array all{plain_profile(), px4_profile(), ardupilot_copter_profile(), ardupilot_plane_profile(),
+                       ardupilot_rover_profile()};
   auto result = all.at(static_cast<std::size_t>(which) % all.size());
   result.capacity = room;
   return result;
@@ -80,7 +80,7 @@ template <class Server = server>
 class run {
 public:
   explicit run(std::span<const std::uint8_t> bytes)
-      : input_(bytes), vehicle_(quirks_for(input_.byte())), server_(vehicle_, vehicle_id) {}
+      : input_(bytes), vehicle_(profile_of(input_.byte())), server_(vehicle_, vehicle_id) {}
 
   // What was found; nothing: all holds.
   [[nodiscard]] std::optional<std::string> play() {
@@ -303,7 +303,7 @@ private:
   }
 
   input input_;
-  autopilot_quirks vehicle_;
+  server_profile vehicle_;
   Server server_;
   std::int64_t now_ns_ = 1'000 * ms;
   std::size_t from_ = 0;

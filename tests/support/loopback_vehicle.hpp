@@ -20,7 +20,7 @@ namespace godwit::support {
 
 struct loopback_vehicle_options {
   io::mavlink::mav_autopilot autopilot = io::mavlink::mav_autopilot::px4;
-  ground_port::mission_server::autopilot_quirks autopilot_quirks = ground_port::mission_server::px4_quirks();
+  ground_port::mission_server::server_profile server_profile = ground_port::mission_server::px4_profile();
   std::chrono::milliseconds beat_period{1'000};
 };
 
@@ -29,7 +29,7 @@ public:
   static constexpr io::mavlink::sender address{1, 1};
 
   explicit loopback_vehicle(const std::string& uri, const loopback_vehicle_options& options = {})
-      : options_(options), missions_(options.autopilot_quirks, address) {
+      : options_(options), missions_(options.server_profile, address) {
     io::link::link_callbacks callbacks;
     callbacks.received = [this](io::link::peer_id, std::span<const std::byte> bytes, bool) { hear(bytes); };
     link_ = *io::link::open_link(*io::link::parse_uri(uri), std::move(callbacks));

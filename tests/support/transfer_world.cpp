@@ -31,7 +31,7 @@ transfer::step hear(transfer::client& /*client*/, const mavlink::mission_item& /
 
 } // namespace
 
-transfer_world::transfer_world(const mission_server::autopilot_quirks& vehicle, const transfer::peer_profile& profile,
+transfer_world::transfer_world(const mission_server::server_profile& vehicle, const transfer::peer_profile& profile,
                                const line_settings& settings, std::uint64_t seed)
     : time_(second_ns + static_cast<std::int64_t>(seed * 7'919'813 % 40'000'000)), profile_(profile),
       server_(vehicle, vehicle_id), seed_(seed) {

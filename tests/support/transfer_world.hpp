@@ -40,7 +40,7 @@ public:
     std::function<bool(const mission_server::outgoing&)> drops_received = [](const auto&) { return false; };
   };
 
-  transfer_world(const mission_server::autopilot_quirks& vehicle, const transfer::peer_profile& profile,
+  transfer_world(const mission_server::server_profile& vehicle, const transfer::peer_profile& profile,
                  const line_settings& settings, std::uint64_t seed);
   transfer_world(const transfer_world&) = delete;
   transfer_world& operator=(const transfer_world&) = delete;

@@ -12,7 +12,7 @@ namespace godwit::tests {
 
 struct upload_peer {
   const char* name;
-  mission_server::autopilot_quirks autopilot_quirks;
+  mission_server::server_profile server_profile;
   transfer::peer_profile profile;
 };
 
@@ -20,21 +20,21 @@ struct upload_peer {
 inline constexpr int roomy = 2'000;
 
 [[nodiscard]] inline upload_peer px4_peer() {
-  auto autopilot_quirks = mission_server::px4_quirks();
-  autopilot_quirks.capacity = roomy;
-  return {"px4", autopilot_quirks, transfer::profile_for(io::mavlink::mav_autopilot::px4)};
+  auto server_profile = mission_server::px4_profile();
+  server_profile.capacity = roomy;
+  return {"px4", server_profile, transfer::profile_for(io::mavlink::mav_autopilot::px4)};
 }
 
 [[nodiscard]] inline upload_peer copter_peer() {
-  auto autopilot_quirks = mission_server::ardupilot_copter_quirks();
-  autopilot_quirks.capacity = roomy;
-  return {"copter", autopilot_quirks, transfer::profile_for(io::mavlink::mav_autopilot::ardupilotmega)};
+  auto server_profile = mission_server::ardupilot_copter_profile();
+  server_profile.capacity = roomy;
+  return {"copter", server_profile, transfer::profile_for(io::mavlink::mav_autopilot::ardupilotmega)};
 }
 
 [[nodiscard]] inline upload_peer rover_peer() {
-  auto autopilot_quirks = mission_server::ardupilot_rover_quirks();
-  autopilot_quirks.capacity = roomy;
-  return {"rover", autopilot_quirks, transfer::profile_for(io::mavlink::mav_autopilot::ardupilotmega)};
+  auto server_profile = mission_server::ardupilot_rover_profile();
+  server_profile.capacity = roomy;
+  return {"rover", server_profile, transfer::profile_for(io::mavlink::mav_autopilot::ardupilotmega)};
 }
 
 struct upload_figures {
@@ -54,7 +54,7 @@ struct upload_figures {
   std::vector<double> bytes;
   std::uint64_t sent = 0;
   for (int seed = 1; seed <= seeds; ++seed) {
-    transfer_world world(peer.autopilot_quirks, peer.profile, line, static_cast<std::uint64_t>(seed));
+    transfer_world world(peer.server_profile, peer.profile, line, static_cast<std::uint64_t>(seed));
     const auto plan = mission_of(items, static_cast<std::uint64_t>(seed));
     const auto outcome = world.upload(plan);
     const bool is_accepted = outcome.verdict == transfer::verdict::accepted;

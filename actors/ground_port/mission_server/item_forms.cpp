@@ -67,7 +67,7 @@ mavlink::mission_item in_floats(const mavlink::mission_item_int& item) {
   return result;
 }
 
-mavlink::mission_item_int as_kept(mavlink::mission_item_int item, const autopilot_quirks& vehicle) {
+mavlink::mission_item_int as_kept(mavlink::mission_item_int item, const server_profile& vehicle) {
   item.target_system = 0;
   item.target_component = 0;
   if (!vehicle.rewrites_items)

@@ -1,7 +1,7 @@
 // The forms of an item: as integers, as floats (the deprecated message), and as a vehicle keeps it. Thread: pure.
 #pragma once
 
-#include "actors/ground_port/mission_server/autopilot_quirks.hpp"
+#include "actors/ground_port/mission_server/server_profile.hpp"
 
 namespace godwit::ground_port::mission_server {
 
@@ -11,6 +11,6 @@ namespace godwit::ground_port::mission_server {
 [[nodiscard]] mavlink::mission_item in_floats(const mavlink::mission_item_int& item);
 
 // ITEM without address, as VEHICLE keeps it.
-[[nodiscard]] mavlink::mission_item_int as_kept(mavlink::mission_item_int item, const autopilot_quirks& vehicle);
+[[nodiscard]] mavlink::mission_item_int as_kept(mavlink::mission_item_int item, const server_profile& vehicle);
 
 } // namespace godwit::ground_port::mission_server

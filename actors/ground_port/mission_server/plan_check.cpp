@@ -20,7 +20,7 @@ constexpr std::int32_t max_longitude = 1'800'000'000;
 
 } // namespace
 
-mav_mission_result check_item(const mavlink::mission_item_int& item, const autopilot_quirks& vehicle) {
+mav_mission_result check_item(const mavlink::mission_item_int& item, const server_profile& vehicle) {
   const auto type = static_cast<mav_mission_type>(item.mission_type);
   const auto* const row = mission::command_of(item.command);
   const bool is_allowed = row == nullptr && type == mav_mission_type::mission &&

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "actors/ground_port/mission_server/autopilot_quirks.hpp"
+#include "actors/ground_port/mission_server/server_profile.hpp"
 #include "io/mavlink/enums.hpp"
 
 namespace godwit::ground_port::mission_server {
@@ -14,7 +14,7 @@ namespace godwit::ground_port::mission_server {
 // `accepted`, or what is wrong with it: a command that is no item of such a plan, a frame that the vehicle does not
 // know, or a position that is not on earth. Only what has a position is judged by it.
 [[nodiscard]] mavlink::mav_mission_result check_item(const mavlink::mission_item_int& item,
-                                                     const autopilot_quirks& vehicle);
+                                                     const server_profile& vehicle);
 
 // The commands that can be items of a plan: those that some vehicle takes, by the table of commands
 // (actors/domain/mission/commands).
@@ -37,13 +37,13 @@ enum class item_place { anywhere, at_a_position };
 class fence_check {
 public:
   // Of COUNT items.
-  fence_check(const fence_quirks& vehicle, int count) : vehicle_(vehicle), items_left_(count) {}
+  fence_check(const fence_profile& vehicle, int count) : vehicle_(vehicle), items_left_(count) {}
 
   // The next item. False: the fence is none, because of it.
   [[nodiscard]] bool takes(const mavlink::mission_item_int& item);
 
 private:
-  fence_quirks vehicle_;
+  fence_profile vehicle_;
   int items_left_;
   int vertices_left_ = 0; // of the polygon that has begun
   std::uint16_t command_ = 0;

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "actors/ground_port/mission_server/autopilot_quirks.hpp"
+#include "actors/ground_port/mission_server/server_profile.hpp"
 #include "io/mavlink/plan_meaning.hpp"
 
 namespace godwit::ground_port::mission_server {
@@ -31,7 +31,7 @@ using mavlink::checksum_of; // of the items as they are kept
 
 class plan_store {
 public:
-  explicit plan_store(const autopilot_quirks& vehicle) : vehicle_(vehicle) {}
+  explicit plan_store(const server_profile& vehicle) : vehicle_(vehicle) {}
 
   // TYPE is one of the three.
   [[nodiscard]] const held_plan& plan(mavlink::mav_mission_type type) const;
@@ -59,7 +59,7 @@ private:
   [[nodiscard]] held_plan& place(mavlink::mav_mission_type type);
   [[nodiscard]] std::uint32_t id_of(const std::vector<mavlink::mission_item_int>& items) const;
 
-  autopilot_quirks vehicle_;
+  server_profile vehicle_;
   std::array<held_plan, plan_types> plans_;
   mavlink::mav_mission_type type_{}; // of the plan that was begun
   std::vector<mavlink::mission_item_int> staged_;

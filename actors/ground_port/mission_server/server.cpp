@@ -10,7 +10,7 @@ using mavlink::mav_mission_type;
 using mavlink::number;
 using mavlink::sender;
 
-server::server(const autopilot_quirks& vehicle, sender ourselves)
+server::server(const server_profile& vehicle, sender ourselves)
     : vehicle_(vehicle), ourselves_(ourselves), inbox_(vehicle.turn_ns), store_(vehicle) {}
 
 reaction server::on(sender from, const incoming& what, std::int64_t now_ns) {
@@ -167,12 +167,12 @@ template <class M>
 bool server::is_for_us(const M& m) const {
   if (m.target_system == ourselves_.system && m.target_component == ourselves_.component)
     return true;
-  switch (vehicle_.listens) {
-  case hears::own_address:
+  switch (vehicle_.accepts) {
+  case accepted_address::own_address:
     return false;
-  case hears::component_0_too:
+  case accepted_address::component_0_too:
     return m.target_system == ourselves_.system && m.target_component == 0;
-  case hears::everything:
+  case accepted_address::everything:
     return m.target_system == 0 || m.target_system == ourselves_.system;
   }
   return false;

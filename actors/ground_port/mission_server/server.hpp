@@ -8,8 +8,8 @@
 //
 // One station at a time: to others it is busy. It asks for each item, asks again when nothing comes, and gives up when
 // the station is silent. What autopilots do otherwise, or where the MAVLink text leaves the choice, is
-// `autopilot_quirks`. COUNT 0 and CLEAR_ALL clear; while locked (the vehicle flies the mission) they are refused, and
-// an upload is not. Bounds: items of a plan (autopilot_quirks::capacity), messages that wait for their turn
+// `server_profile`. COUNT 0 and CLEAR_ALL clear; while locked (the vehicle flies the mission) they are refused, and
+// an upload is not. Bounds: items of a plan (server_profile::capacity), messages that wait for their turn
 // (max_waiting_messages). After 10 s in which nothing came in it is idle. Pure: time comes in; call on_time no later
 // than next_deadline_ns. Thread: one at a time. Source: MAVLink mission protocol.
 #pragma once
@@ -19,16 +19,16 @@
 #include <variant>
 #include <vector>
 
-#include "actors/ground_port/mission_server/autopilot_quirks.hpp"
 #include "actors/ground_port/mission_server/inbox.hpp"
 #include "actors/ground_port/mission_server/plan_check.hpp"
 #include "actors/ground_port/mission_server/plan_store.hpp"
+#include "actors/ground_port/mission_server/server_profile.hpp"
 
 namespace godwit::ground_port::mission_server {
 
 class server {
 public:
-  server(const autopilot_quirks& vehicle, mavlink::sender ourselves);
+  server(const server_profile& vehicle, mavlink::sender ourselves);
 
   [[nodiscard]] reaction on(mavlink::sender from, const incoming& what, std::int64_t now_ns);
   [[nodiscard]] reaction on_time(std::int64_t now_ns);
@@ -44,7 +44,7 @@ public:
   // The mission is being flown, and must not vanish.
   void lock(bool locked) { is_locked_ = locked; }
 
-  // Where the vehicle is in its mission; at item 0 with each new plan. A download marks it, where it is a habit.
+  // Where the vehicle is in its mission; at item 0 with each new plan. A download marks it, where the profile says so.
   void set_current(int seq) { current_ = seq; }
 
   // Of a vehicle that keeps its home as item 0: it is elsewhere now.
@@ -134,7 +134,7 @@ private:
     return is_giving() && vehicle_.when_read == while_read::everybody_waits;
   }
 
-  autopilot_quirks vehicle_;
+  server_profile vehicle_;
   mavlink::sender ourselves_;
   inbox inbox_;
   plan_store store_;

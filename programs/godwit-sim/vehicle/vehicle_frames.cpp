@@ -40,7 +40,7 @@ void vehicle::parts::on_frame(const mavlink::frame_view& frame, std::int64_t now
 
 bool vehicle::parts::is_for_us(std::uint8_t system, std::uint8_t component) const {
   const auto& us = out_.ourselves();
-  if (quirks_.hears_any_component)
+  if (traits_.hears_any_component)
     return system == us.system || system == 0;
   return system == us.system && (component == us.component || component == every_component);
 }
@@ -52,7 +52,7 @@ void vehicle::parts::hear_file_request(mavlink::sender from, mavlink::byte_view 
   if (!is_for_us(target(1), target(2)))
     return;
   std::vector<file_server::file> files;
-  if (quirks_.has_param_file)
+  if (traits_.has_param_file)
     files.push_back(param_file(params_.all()));
   const auto there = out_.aim(out_.line_of_event());
   for (const auto& each : files_.on(from, payload, files))
@@ -74,7 +74,7 @@ void vehicle::parts::hear(mavlink::sender from, const mavlink::set_mode& m) {
 
 void vehicle::parts::hear(mavlink::sender from, const mavlink::ping& m) {
   const auto there = out_.aim(out_.line_of_event());
-  if (quirks_.answers_ping && m.target_system == 0 && m.target_component == 0)
+  if (traits_.answers_ping && m.target_system == 0 && m.target_component == 0)
     out_.send(mavlink::ping{m.time_usec, m.seq, from.system, from.component});
 }
 
@@ -84,7 +84,7 @@ void vehicle::parts::hear(mavlink::sender from, const mavlink::timesync& m) {
   if (!is_question || !is_ours)
     return;
   mavlink::timesync reply{.tc1 = state_.up_ns(now_.world_ns), .ts1 = m.ts1};
-  switch (quirks_.timesync_target) {
+  switch (traits_.timesync_target) {
   case timesync_target::nobody:
     break;
   case timesync_target::asker:
@@ -125,7 +125,7 @@ void vehicle::parts::hear(mavlink::sender, const mavlink::param_request_list& m)
     return;
   params_line_ = out_.line_of_event();
   params_.on(m, now_.real_ns);
-  for (const auto text : quirks_.banner)
+  for (const auto text : traits_.banner)
     out_.say(mavlink::mav_severity::info, text);
   advance_params();
 }
@@ -135,7 +135,7 @@ void vehicle::parts::hear(mavlink::sender, const mavlink::param_request_read& m)
     return;
   auto value = params_.on(m);
   const bool is_by_name = m.param_index < 0;
-  if (value && is_by_name && quirks_.hides_param_index)
+  if (value && is_by_name && traits_.hides_param_index)
     value->param_index = UINT16_MAX;
   const auto there = out_.aim(out_.line_of_event());
   if (value)
@@ -147,14 +147,14 @@ void vehicle::parts::hear(mavlink::sender, const mavlink::param_set& m) {
   if (!is_for_us(m.target_system, m.target_component))
     return;
   auto value = params_.on(m);
-  if (value && quirks_.hides_param_index)
+  if (value && traits_.hides_param_index)
     value->param_index = UINT16_MAX;
   if (value)
     out_.send(*value);
 }
 
 void vehicle::parts::hear(mavlink::sender, const mavlink::request_data_stream& m) {
-  if (!quirks_.knows_stream_groups || !is_for_us(m.target_system, m.target_component))
+  if (!traits_.knows_stream_groups || !is_for_us(m.target_system, m.target_component))
     return;
   constexpr std::uint8_t all_groups = 0;
   constexpr std::int64_t stop = -1;
@@ -179,7 +179,7 @@ bool vehicle::parts::flies_to(mavlink::sender from, const plans::incoming& m) {
                     : std::holds_alternative<mavlink::mission_item_int>(m) ? std::get<mavlink::mission_item_int>(m)
                                                                            : mavlink::mission_item_int{};
   const bool is_at_once = item.current == role::item_to_fly_to || item.current == role::item_with_altitude;
-  if (!quirks_.flies_to_items || !is_at_once || !is_for_us(item.target_system, item.target_component))
+  if (!traits_.flies_to_items || !is_at_once || !is_for_us(item.target_system, item.target_component))
     return false;
   const bool is_flown = item.current == role::item_to_fly_to &&
                         item.command == mavlink::number(mavlink::mav_cmd::nav_waypoint) &&
@@ -221,7 +221,7 @@ void vehicle::parts::react(const plans::reaction& to, bool was_receiving) {
         each);
   for (const auto& each : to.texts) {
     const bool is_for_partner =
-        std::ranges::find(quirks_.texts_for_uploader, each.text) != quirks_.texts_for_uploader.end();
+        std::ranges::find(traits_.texts_for_uploader, each.text) != traits_.texts_for_uploader.end();
     if (is_for_partner)
       out_.say_on(partner, each.severity, each.text);
     else

@@ -33,10 +33,10 @@ std::unique_ptr<autopilot> make_autopilot(const vehicle_settings& settings, cons
 }
 
 // ArduPilot keeps its home as item 0 of the mission.
-plans::autopilot_quirks with_home(plans::autopilot_quirks autopilot_quirks, const position& home) {
-  if (autopilot_quirks.home)
-    autopilot_quirks.home = home_item(*autopilot_quirks.home, home);
-  return autopilot_quirks;
+plans::server_profile with_home(plans::server_profile server_profile, const position& home) {
+  if (server_profile.home)
+    server_profile.home = home_item(*server_profile.home, home);
+  return server_profile;
 }
 
 // A ground station looks for its vehicle's id there, by one of the names that it has had.
@@ -64,20 +64,20 @@ std::string_view word_for(run_state how) {
 } // namespace
 
 vehicle::parts::parts(const vehicle_settings& settings, std::int64_t now_ns, frame_sink send)
-    : settings_(settings), quirks_(traits_of(settings.who)), clock_(settings.speed, now_ns), now_(clock_.at(now_ns)),
-      random_(settings.seed), out_({settings.system, autopilot_component}, std::move(send), quirks_.numbers_each_text),
-      craft_(quirks_.body, settings.home), power_(settings.battery_percent, settings.endurance_s),
-      tells_(quirks_, craft_, power_, state_, out_),
-      plans_(with_home(quirks_.plan_quirks, settings.home), out_.ourselves()),
-      params_(with_settings(quirks_.params, settings), quirks_.param_encoding) {
+    : settings_(settings), traits_(traits_of(settings.who)), clock_(settings.speed, now_ns), now_(clock_.at(now_ns)),
+      random_(settings.seed), out_({settings.system, autopilot_component}, std::move(send), traits_.numbers_each_text),
+      craft_(traits_.body, settings.home), power_(settings.battery_percent, settings.endurance_s),
+      tells_(traits_, craft_, power_, state_, out_),
+      plans_(with_home(traits_.plan_profile, settings.home), out_.ourselves()),
+      params_(with_settings(traits_.params, settings), traits_.param_encoding) {
   GODWIT_ASSERT(settings.speed > 0 && settings.stream_factor > 0, "the world and its streams go forward");
-  state_.mode = state_.intended = find_mode(quirks_.modes, quirks_.first_mode);
-  state_.is_ready = quirks_.ready_after_ns == 0;
-  state_.beats_at_mode_change = quirks_.beats_at_mode_change && settings.beats_at_mode_change;
-  state_.has_estimate = quirks_.estimate_after_ns == 0;
+  state_.mode = state_.intended = find_mode(traits_.modes, traits_.first_mode);
+  state_.is_ready = traits_.ready_after_ns == 0;
+  state_.beats_at_mode_change = traits_.beats_at_mode_change && settings.beats_at_mode_change;
+  state_.has_estimate = traits_.estimate_after_ns == 0;
   state_.has_payload = settings.has_payload;
   streams_.push_back(make_streams());
-  pilot_ = make_autopilot(settings, {quirks_, craft_, plans_, out_, tells_, streams_, state_, random_});
+  pilot_ = make_autopilot(settings, {traits_, craft_, plans_, out_, tells_, streams_, state_, random_});
   pilot_->set_now(now_);
   find_deadline();
 }
@@ -91,13 +91,13 @@ line_number vehicle::parts::add_line(frame_sink send, std::int64_t now_ns) {
 }
 
 line_streams vehicle::parts::make_streams() {
-  std::vector<role::streamed_message> table(quirks_.streams.begin(), quirks_.streams.end());
+  std::vector<role::streamed_message> table(traits_.streams.begin(), traits_.streams.end());
   for (auto& each : table)
     if (each.id != mavlink::heartbeat::message_id)
       each.interval_ns = static_cast<std::int64_t>(static_cast<double>(each.interval_ns) / settings_.stream_factor);
   const auto phase = static_cast<double>(random_() >> 11U) * 0x1p-53; // 0 to 1
   return {role::message_schedule(table, now_.world_ns, phase),
-          role::current_report(role::current_report::period_ns, quirks_.tells_current_on_change)};
+          role::current_report(role::current_report::period_ns, traits_.tells_current_on_change)};
 }
 
 // -- time -------------------------------------------------------------------------------------------
@@ -143,8 +143,8 @@ void vehicle::parts::advance_world() {
 }
 
 void vehicle::parts::advance_autopilot() {
-  state_.is_ready = state_.up_ns(now_.world_ns) >= quirks_.ready_after_ns;
-  state_.has_estimate = state_.has_position && state_.up_ns(now_.world_ns) >= quirks_.estimate_after_ns;
+  state_.is_ready = state_.up_ns(now_.world_ns) >= traits_.ready_after_ns;
+  state_.has_estimate = state_.has_position && state_.up_ns(now_.world_ns) >= traits_.estimate_after_ns;
   pilot_->on_time();
 }
 

@@ -88,7 +88,7 @@ private:
   void send_streams();
 
   vehicle_settings settings_;
-  const traits& quirks_;
+  const traits& traits_;
   world_clock clock_;
   instant now_;
   std::mt19937_64 random_;

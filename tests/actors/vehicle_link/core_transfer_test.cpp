@@ -28,8 +28,8 @@ upload_plan survey(int count) {
 // A core and a vehicle; what one sends the other hears at once.
 class conversation {
 public:
-  explicit conversation(const mission_server::autopilot_quirks& autopilot_quirks = mission_server::px4_quirks())
-      : it(quiet(), {}, {}), vehicle(autopilot_quirks, {1, 1}) {
+  explicit conversation(const mission_server::server_profile& server_profile = mission_server::px4_profile())
+      : it(quiet(), {}, {}), vehicle(server_profile, {1, 1}) {
     (void)it.on_link(link_up(), at(0));
     (void)voice_.beat(it, 0);
   }

@@ -95,19 +95,19 @@ protected:
 struct autopilot_case {
   const char* name;
   mavlink::mav_autopilot autopilot;
-  mission_server::autopilot_quirks (*autopilot_quirks)();
+  mission_server::server_profile (*server_profile)();
 };
 
 const autopilot_case autopilots[] = {
-    {"px4", mavlink::mav_autopilot::px4, mission_server::px4_quirks},
-    {"copter", mavlink::mav_autopilot::ardupilotmega, mission_server::ardupilot_copter_quirks},
-    {"unknown", mavlink::mav_autopilot::generic, mission_server::plain_quirks}};
+    {"px4", mavlink::mav_autopilot::px4, mission_server::px4_profile},
+    {"copter", mavlink::mav_autopilot::ardupilotmega, mission_server::ardupilot_copter_profile},
+    {"unknown", mavlink::mav_autopilot::generic, mission_server::plain_profile}};
 
 TEST_F(plan_transfer, a_plan_goes_up_and_comes_back_over_a_real_socket) {
   for (const auto& each : autopilots) {
     SCOPED_TRACE(each.name);
     const support::loopback_vehicle vehicle("udpin://127.0.0.1:0",
-                                            {each.autopilot, each.autopilot_quirks(), quick_beats});
+                                            {each.autopilot, each.server_profile(), quick_beats});
     plan_transfer_options options;
     options.where = to(vehicle);
     options.what = vehicle_link::upload_plan{mavlink::mav_mission_type::mission, survey(100)};
@@ -131,7 +131,7 @@ TEST_F(plan_transfer, a_plan_without_home_is_not_sent_to_an_ardupilot_which_woul
   for (const auto& each : autopilots) {
     SCOPED_TRACE(each.name);
     const support::loopback_vehicle vehicle("udpin://127.0.0.1:0",
-                                            {each.autopilot, each.autopilot_quirks(), quick_beats});
+                                            {each.autopilot, each.server_profile(), quick_beats});
     auto items = survey(3);
     items.front().frame = 3;
     items.front().command = mavlink::number(mavlink::mav_cmd::nav_takeoff);
@@ -158,10 +158,9 @@ TEST_F(plan_transfer, json_is_the_outcome_with_all_its_parts) {
 }
 
 TEST_F(plan_transfer, a_refusal_of_the_vehicle_is_a_failure_with_its_reason) {
-  auto small = mission_server::px4_quirks();
+  auto small = mission_server::px4_profile();
   small.capacity = 10;
-  const support::loopback_vehicle vehicle("udpin://127.0.0.1:0",
-                                          {.autopilot_quirks = small, .beat_period = quick_beats});
+  const support::loopback_vehicle vehicle("udpin://127.0.0.1:0", {.server_profile = small, .beat_period = quick_beats});
   plan_transfer_options options;
   options.where = to(vehicle);
   options.what = vehicle_link::upload_plan{mavlink::mav_mission_type::mission, survey(100)};

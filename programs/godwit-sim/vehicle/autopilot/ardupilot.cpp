@@ -126,7 +126,7 @@ void ardupilot::breach_fence() {
 autopilot::answer ardupilot::start_mission(const role::order& what) {
   if (what.param1 != 0 || what.param2 != 0) // what is no number differs from 0 as well
     return answer::denied;
-  const auto& mode = mode_of_kind(autopilot_quirks().modes, mode_kind::mission);
+  const auto& mode = mode_of_kind(vehicle_traits().modes, mode_kind::mission);
   if (change_mode(&mode, mode.custom) != answer::accepted) {
     say(mav_severity::warning, "Flight mode change failed");
     return answer::failed;
@@ -303,7 +303,7 @@ void ardupilot::on_happening(const happening& what) {
 }
 
 mavlink::mission_current ardupilot::progress() const {
-  auto m = place_in_mission(run(), with().plans, autopilot_quirks());
+  auto m = place_in_mission(run(), with().plans, vehicle_traits());
   if (is_at_beginning_)
     m.seq = 0;
   m.mission_mode = mavlink::number(state().is_in(mode_kind::mission) ? mavlink::mission_mode::active
@@ -326,7 +326,7 @@ autopilot::answer ardupilot::reposition(const role::order& what) {
     return answer::unsupported; // a float would round the place
   constexpr float change_mode_flag = 1;
   const bool may_change = std::isfinite(what.param2) && std::fmod(what.param2, 2.0F) == change_mode_flag;
-  const auto& guided = mode_of_kind(autopilot_quirks().modes, mode_kind::guided);
+  const auto& guided = mode_of_kind(vehicle_traits().modes, mode_kind::guided);
   if (!may_change && state().mode != &guided)
     return answer::denied;
   if (change_mode(&guided, guided.custom) != answer::accepted)

@@ -11,15 +11,15 @@ namespace godwit::sim {
 void autopilot::take(mavlink::sender from, const mavlink::set_mode& m) {
   if ((m.base_mode & mavlink::number(mavlink::mav_mode_flag::custom_mode_enabled)) == 0)
     return;
-  const auto result = change_mode(find_mode(autopilot_quirks().modes, m.custom_mode), m.custom_mode);
-  if (autopilot_quirks().acknowledges_set_mode)
+  const auto result = change_mode(find_mode(vehicle_traits().modes, m.custom_mode), m.custom_mode);
+  if (vehicle_traits().acknowledges_set_mode)
     acknowledge({.from = from, .command = mavlink::number(mavlink::mav_cmd::do_set_mode)}, result);
 }
 
 void autopilot::acknowledge(const role::order& what, answer result) {
   const auto asked_on = outlet::only(with_.out.line_of_event());
   const auto there =
-      with_.out.aim(autopilot_quirks().acknowledges_where_heard ? with_.out.lines_of(what.from) : asked_on);
+      with_.out.aim(vehicle_traits().acknowledges_where_heard ? with_.out.lines_of(what.from) : asked_on);
   with_.out.send(role::answer_to(what, result));
 }
 
@@ -53,7 +53,7 @@ void autopilot::enter_by_failsafe(mode_kind kind) {
 void autopilot::arm() {
   if (state().is_armed)
     return;
-  const bool moves_home = autopilot_quirks().sets_home_when_armed && !state().is_home_fixed && state().has_position &&
+  const bool moves_home = vehicle_traits().sets_home_when_armed && !state().is_home_fixed && state().has_position &&
                           !craft().is_in_air() && may_move_home();
   if (moves_home && craft().where().where != craft().home()) {
     move_home(craft().where().where);
@@ -66,8 +66,8 @@ void autopilot::arm() {
 
 void autopilot::move_home(const position& where) {
   with_.craft.set_home(where);
-  if (autopilot_quirks().plan_quirks.home)
-    with_.plans.set_home(home_item(*autopilot_quirks().plan_quirks.home, where));
+  if (vehicle_traits().plan_profile.home)
+    with_.plans.set_home(home_item(*vehicle_traits().plan_profile.home, where));
 }
 
 void autopilot::disarm() {
@@ -144,7 +144,7 @@ void autopilot::empty_battery() {
 void autopilot::restart() {
   with_.craft.restart();
   with_.state.is_armed = false;
-  with_.state.mode = with_.state.intended = find_mode(autopilot_quirks().modes, autopilot_quirks().first_mode);
+  with_.state.mode = with_.state.intended = find_mode(vehicle_traits().modes, vehicle_traits().first_mode);
   with_.state.started_world_ns = now_.world_ns;
   with_.state.is_home_fixed = false;
   owed_message_.reset();

@@ -70,7 +70,7 @@ private:
 
 // What an autopilot works with. All of it outlives the autopilot.
 struct equipment {
-  const traits& autopilot_quirks;
+  const traits& vehicle_traits;
   flight& craft;
   plans::server& plans;
   outlet& out;
@@ -166,7 +166,7 @@ protected:
   // -- what they have at hand
 
   void enter(const flight_mode& mode);
-  void enter(mode_kind kind) { enter(mode_of_kind(with_.autopilot_quirks.modes, kind)); }
+  void enter(mode_kind kind) { enter(mode_of_kind(with_.vehicle_traits.modes, kind)); }
   // By itself: what people have intended stays.
   void enter_by_failsafe(mode_kind kind);
   void arm();
@@ -187,7 +187,7 @@ protected:
   [[nodiscard]] mission_run& run() { return with_.craft.mission(); }
   [[nodiscard]] const mission_run& run() const { return with_.craft.mission(); }
   [[nodiscard]] const condition& state() const { return with_.state; }
-  [[nodiscard]] const traits& autopilot_quirks() const { return with_.autopilot_quirks; }
+  [[nodiscard]] const traits& vehicle_traits() const { return with_.vehicle_traits; }
   [[nodiscard]] const flight& craft() const { return with_.craft; }
   [[nodiscard]] const instant& now() const { return now_; }
   [[nodiscard]] const equipment& with() const { return with_; }

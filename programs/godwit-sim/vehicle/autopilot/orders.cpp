@@ -87,26 +87,26 @@ mav_result autopilot::set_mode(const role::order& what) {
   if (!is_custom)
     return mav_result::denied;
   const auto number = mode_in(what);
-  const auto* mode = find_mode(autopilot_quirks().modes, number);
+  const auto* mode = find_mode(vehicle_traits().modes, number);
   if (mode == nullptr)
     on_unknown_mode(what);
   return change_mode(mode, number);
 }
 
 mav_result autopilot::return_home(const role::order&) {
-  const auto& mode = mode_of_kind(autopilot_quirks().modes, mode_kind::come_back);
+  const auto& mode = mode_of_kind(vehicle_traits().modes, mode_kind::come_back);
   return change_mode(&mode, mode.custom);
 }
 
 mav_result autopilot::loiter(const role::order&) {
-  const auto& mode = mode_of_kind(autopilot_quirks().modes, mode_kind::hold);
+  const auto& mode = mode_of_kind(vehicle_traits().modes, mode_kind::hold);
   return change_mode(&mode, mode.custom);
 }
 
 mav_result autopilot::land(const role::order&) {
-  if (!has_mode_of_kind(autopilot_quirks().modes, mode_kind::land))
+  if (!has_mode_of_kind(vehicle_traits().modes, mode_kind::land))
     return mav_result::unsupported;
-  const auto& mode = mode_of_kind(autopilot_quirks().modes, mode_kind::land);
+  const auto& mode = mode_of_kind(vehicle_traits().modes, mode_kind::land);
   return change_mode(&mode, mode.custom);
 }
 
@@ -128,7 +128,7 @@ mav_result autopilot::set_home(const role::order& what) {
     return mav_result::failed;
   const bool is_here = what.param1 == 1;
   move_home(is_here ? craft().where().where : place_in(what));
-  with_.state.is_home_fixed = !(is_here && autopilot_quirks().home_is_free_again);
+  with_.state.is_home_fixed = !(is_here && vehicle_traits().home_is_free_again);
   owed_message_ = mavlink::home_position::message_id;
   return mav_result::accepted;
 }
@@ -151,16 +151,16 @@ std::optional<std::uint32_t> message_in(float param) {
 } // namespace
 
 mav_result autopilot::give(std::uint32_t message) {
-  if (message == mavlink::mission_current::message_id && autopilot_quirks().current_is_a_request_away) {
+  if (message == mavlink::mission_current::message_id && vehicle_traits().current_is_a_request_away) {
     with_.out.send(progress());
     return mav_result::accepted;
   }
-  return with_.tells.send(message, now_.world_ns) ? mav_result::accepted : autopilot_quirks().unknown_message;
+  return with_.tells.send(message, now_.world_ns) ? mav_result::accepted : vehicle_traits().unknown_message;
 }
 
 // On the line of who asks: a PX4 before its answer, an ArduPilot after it.
 mav_result autopilot::give_or_owe(std::uint32_t message) {
-  if (autopilot_quirks().sends_before_ack) {
+  if (vehicle_traits().sends_before_ack) {
     const auto there = aim_back();
     return give(message);
   }
@@ -171,11 +171,11 @@ mav_result autopilot::give_or_owe(std::uint32_t message) {
 mav_result autopilot::request_message(const role::order& what) {
   const auto message = message_in(what.param1);
   if (!message)
-    return autopilot_quirks().unknown_message;
+    return vehicle_traits().unknown_message;
   const bool is_current =
-      *message == mavlink::mission_current::message_id && autopilot_quirks().current_is_a_request_away;
-  if (!autopilot_quirks().sends_before_ack && !is_current && !with_.tells.knows(*message))
-    return autopilot_quirks().unknown_message;
+      *message == mavlink::mission_current::message_id && vehicle_traits().current_is_a_request_away;
+  if (!vehicle_traits().sends_before_ack && !is_current && !with_.tells.knows(*message))
+    return vehicle_traits().unknown_message;
   return give_or_owe(*message);
 }
 
@@ -184,7 +184,7 @@ mav_result autopilot::set_message_interval(const role::order& what) {
   const bool is_interval =
       std::isfinite(what.param2) && std::abs(what.param2) < static_cast<float>(role::message_schedule::max_interval_us);
   const auto interval_us = is_interval ? static_cast<std::int64_t>(what.param2) : -2; // one that is none
-  if (message == mavlink::mission_current::message_id && autopilot_quirks().current_is_a_request_away &&
+  if (message == mavlink::mission_current::message_id && vehicle_traits().current_is_a_request_away &&
       interval_us >= -1) {
     const auto period_ns = interval_us == 0 ? role::current_report::period_ns : interval_us * 1'000;
     streams().current.set_period(std::max<std::int64_t>(period_ns, 0), now_.world_ns);
@@ -192,9 +192,9 @@ mav_result autopilot::set_message_interval(const role::order& what) {
   }
   if (message && streams().messages.set_interval(*message, interval_us, now_.world_ns))
     return mav_result::accepted;
-  if (autopilot_quirks().autopilot == mavlink::mav_autopilot::ardupilotmega && message)
+  if (vehicle_traits().autopilot == mavlink::mav_autopilot::ardupilotmega && message)
     say(mavlink::mav_severity::info, "No ap_message for mavlink id (" + std::to_string(*message) + ")");
-  return autopilot_quirks().unknown_interval;
+  return vehicle_traits().unknown_interval;
 }
 
 mav_result autopilot::get_message_interval(const role::order& what) {
@@ -216,7 +216,7 @@ mav_result autopilot::request_capabilities(const role::order&) {
 }
 
 mav_result autopilot::request_protocol_version(const role::order&) {
-  if (!autopilot_quirks().tells_protocol_version)
+  if (!vehicle_traits().tells_protocol_version)
     return mav_result::unsupported;
   const auto there = aim_back();
   return give(mavlink::protocol_version::message_id);

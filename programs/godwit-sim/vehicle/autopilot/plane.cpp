@@ -24,7 +24,7 @@ void plane::on_mode_entered(const flight_mode& mode) {
     take_off_ahead();
 }
 
-void plane::take_off_ahead() { climb_to(craft().home().altitude_m + autopilot_quirks().body.takeoff_altitude_m); }
+void plane::take_off_ahead() { climb_to(craft().home().altitude_m + vehicle_traits().body.takeoff_altitude_m); }
 
 void plane::on_armed() {
   say(mav_severity::info, "Throttle armed");
@@ -132,7 +132,7 @@ autopilot::answer plane::start_landing(const role::order&) {
   });
   if (found == items.end() || !choose(static_cast<int>(found - items.begin())))
     return answer::failed;
-  const auto& mode = mode_of_kind(autopilot_quirks().modes, mode_kind::mission);
+  const auto& mode = mode_of_kind(vehicle_traits().modes, mode_kind::mission);
   return change_mode(&mode, mode.custom);
 }
 

@@ -372,7 +372,7 @@ std::int64_t px4::next_timer_ns() const {
 }
 
 mavlink::mission_current px4::progress() const {
-  auto result = progress_of(run(), with().plans, autopilot_quirks(), state().is_in(mode_kind::mission));
+  auto result = progress_of(run(), with().plans, vehicle_traits(), state().is_in(mode_kind::mission));
   if (says_complete_)
     result.mission_state = mavlink::number(mavlink::mission_state::complete);
   if (is_infeasible_ || (now().world_ns < unchecked_until_ns_ && !run().is_empty()))

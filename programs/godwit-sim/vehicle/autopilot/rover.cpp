@@ -143,7 +143,7 @@ void rover::on_happening(const happening& what) {
 }
 
 mavlink::mission_current rover::progress() const {
-  return progress_of(run(), with().plans, autopilot_quirks(), state().is_in(mode_kind::mission));
+  return progress_of(run(), with().plans, vehicle_traits(), state().is_in(mode_kind::mission));
 }
 
 // -- commands ---------------------------------------------------------------------------------------
@@ -159,7 +159,7 @@ autopilot::answer rover::pause_or_continue(const role::order& what) {
     enter(mode_kind::hold);
     return mav_result::accepted;
   }
-  const auto& mode = mode_of_kind(autopilot_quirks().modes, mode_kind::mission);
+  const auto& mode = mode_of_kind(vehicle_traits().modes, mode_kind::mission);
   return change_mode(&mode, mode.custom);
 }
 

@@ -46,13 +46,13 @@ bool telemetry::knows(std::uint32_t id) const {
                                                        mavlink::ping::message_id,
                                                        mavlink::timesync::message_id};
   if (id == mavlink::protocol_version::message_id)
-    return quirks_.tells_protocol_version;
+    return traits_.tells_protocol_version;
   if (id == mavlink::current_mode::message_id)
-    return quirks_.tells_intended_mode;
+    return traits_.tells_intended_mode;
   if (id == mavlink::ekf_status_report::message_id)
-    return quirks_.autopilot == mavlink::mav_autopilot::ardupilotmega;
+    return traits_.autopilot == mavlink::mav_autopilot::ardupilotmega;
   if (id == mavlink::estimator_status::message_id)
-    return quirks_.autopilot == mavlink::mav_autopilot::px4;
+    return traits_.autopilot == mavlink::mav_autopilot::px4;
   return std::find(known.begin(), known.end(), id) != known.end();
 }
 
@@ -78,7 +78,7 @@ bool telemetry::send(std::uint32_t id, std::int64_t world_ns) {
     out_.send(satellites(up_ns));
     return true;
   case mavlink::global_position_int::message_id:
-    if (state_.has_position || quirks_.tells_stale_position)
+    if (state_.has_position || traits_.tells_stale_position)
       out_.send(place(up_ns));
     return true;
   case mavlink::attitude::message_id:
@@ -120,14 +120,14 @@ bool telemetry::send(std::uint32_t id, std::int64_t world_ns) {
 }
 
 mavlink::heartbeat telemetry::beat() const {
-  mavlink::heartbeat m{.type = mavlink::number(quirks_.type),
-                       .autopilot = mavlink::number(quirks_.autopilot),
+  mavlink::heartbeat m{.type = mavlink::number(traits_.type),
+                       .autopilot = mavlink::number(traits_.autopilot),
                        .base_mode = state_.mode->base,
                        .custom_mode = state_.mode->custom};
   if (state_.is_armed)
     m.base_mode |= mavlink::number(mavlink::mav_mode_flag::safety_armed);
   // ArduPilot's vehicles call themselves active in the air alone, the others as soon as they are armed.
-  const bool is_ardupilot = quirks_.autopilot == mavlink::mav_autopilot::ardupilotmega;
+  const bool is_ardupilot = traits_.autopilot == mavlink::mav_autopilot::ardupilotmega;
   const bool is_active = is_ardupilot ? craft_.is_in_air() : state_.is_armed;
   auto how = is_active ? mavlink::mav_state::active : mavlink::mav_state::standby;
   if (is_active && (state_.is_battery_empty || !state_.has_position))
@@ -137,13 +137,13 @@ mavlink::heartbeat telemetry::beat() const {
 }
 
 mavlink::sys_status telemetry::status() const {
-  auto health = quirks_.sensors.health;
+  auto health = traits_.sensors.health;
   if (!state_.has_position)
     health &= ~gps_bit;
   if (!state_.has_position || !state_.is_ready || state_.is_battery_empty || !state_.is_plan_armable)
     health &= ~prearm_bit;
-  return {.onboard_control_sensors_present = quirks_.sensors.present,
-          .onboard_control_sensors_enabled = quirks_.sensors.enabled,
+  return {.onboard_control_sensors_present = traits_.sensors.present,
+          .onboard_control_sensors_enabled = traits_.sensors.enabled,
           .onboard_control_sensors_health = health,
           .load = 80,
           .voltage_battery = static_cast<std::uint16_t>(std::lround(power_.voltage_v() * 1e3)),
@@ -161,7 +161,7 @@ mavlink::gps_raw_int telemetry::satellites(std::int64_t up_ns) const {
                          .cog = no_cell};
   if (!state_.has_position)
     return m;
-  m.fix_type = quirks_.fix_type;
+  m.fix_type = traits_.fix_type;
   m.lat = e7(now.where.latitude_deg);
   m.lon = e7(now.where.longitude_deg);
   m.alt = mm(now.where.altitude_m);
@@ -230,7 +230,7 @@ mavlink::home_position telemetry::home(std::int64_t up_ns) const {
                            .altitude = mm(where.altitude_m),
                            .q = {1, 0, 0, 0},
                            .time_usec = us(up_ns)};
-  if (quirks_.autopilot == mavlink::mav_autopilot::ardupilotmega) { // it does not know them
+  if (traits_.autopilot == mavlink::mav_autopilot::ardupilotmega) { // it does not know them
     m.x = m.y = m.z = std::numeric_limits<float>::quiet_NaN();
     m.q.fill(std::numeric_limits<float>::quiet_NaN());
   }
@@ -238,7 +238,7 @@ mavlink::home_position telemetry::home(std::int64_t up_ns) const {
 }
 
 mavlink::autopilot_version telemetry::version() const {
-  auto m = quirks_.version;
+  auto m = traits_.version;
   m.uid = 0x676f'6477'6974'0000U + out_.ourselves().system; // each vehicle has its own
   return m;
 }

@@ -41,9 +41,9 @@ struct condition {
 class telemetry {
 public:
   // All of them outlive it.
-  telemetry(const traits& autopilot_quirks, const flight& craft, const battery& power, const condition& state,
+  telemetry(const traits& vehicle_traits, const flight& craft, const battery& power, const condition& state,
             outlet& out)
-      : quirks_(autopilot_quirks), craft_(craft), power_(power), state_(state), out_(out) {}
+      : traits_(vehicle_traits), craft_(craft), power_(power), state_(state), out_(out) {}
 
   // False: no such message is known here. One that can not be told now, a position that is not known for example, is
   // known and not sent.
@@ -68,7 +68,7 @@ private:
   [[nodiscard]] std::uint16_t estimator_flags() const;
   [[nodiscard]] bool is_landing() const;
 
-  const traits& quirks_;
+  const traits& traits_;
   const flight& craft_;
   const battery& power_;
   const condition& state_;

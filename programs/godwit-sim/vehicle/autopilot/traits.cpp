@@ -20,7 +20,7 @@ traits rover_traits() {
   t.body = rover_craft();
   t.modes = rover_modes();
   t.first_mode = 4; // HOLD
-  t.plan_quirks = plans::plain_quirks();
+  t.plan_profile = plans::plain_profile();
   t.params = rover_params();
   t.param_encoding = role::param_encoding::as_value;
   t.streams = rover_streams();
@@ -41,8 +41,8 @@ traits px4_traits() {
   t.body = multirotor_craft();
   t.modes = px4_modes();
   t.first_mode = px4_mode(4, 3); // AUTO.LOITER
-  t.plan_quirks = plans::px4_quirks();
-  t.plan_quirks.profile = mission::vehicle_profile::px4_multicopter;
+  t.plan_profile = plans::px4_profile();
+  t.plan_profile.profile = mission::vehicle_profile::px4_multicopter;
   t.params = px4_params();
   t.param_encoding = role::param_encoding::as_bits;
   t.streams = px4_streams();
@@ -108,8 +108,8 @@ traits copter_traits() {
   t.body = multirotor_craft();
   t.modes = copter_modes();
   t.first_mode = 0; // STABILIZE
-  t.plan_quirks = plans::ardupilot_copter_quirks();
-  t.plan_quirks.profile = mission::vehicle_profile::arducopter;
+  t.plan_profile = plans::ardupilot_copter_profile();
+  t.plan_profile.profile = mission::vehicle_profile::arducopter;
   t.params = copter_params();
   t.banner = {"ArduCopter V4.7.0-dev (99ea60eb)", "3d1219c7c4c5404aaa1f6d2a48adfda4", "Frame: QUAD/PLUS"};
   return t;
@@ -121,8 +121,8 @@ traits plane_traits() {
   t.body = fixed_wing_craft();
   t.modes = plane_modes();
   t.first_mode = 0; // MANUAL
-  t.plan_quirks = plans::ardupilot_plane_quirks();
-  t.plan_quirks.profile = mission::vehicle_profile::arduplane;
+  t.plan_profile = plans::ardupilot_plane_profile();
+  t.plan_profile.profile = mission::vehicle_profile::arduplane;
   t.params = plane_params();
   t.banner = {"ArduPlane V4.7.0-dev (99ea60eb)", "3d1219c7c4c5404aaa1f6d2a48adfda4"};
   return t;
@@ -134,8 +134,8 @@ traits ardurover_traits() {
   t.body = rover_craft();
   t.modes = ardurover_modes();
   t.first_mode = 0; // MANUAL
-  t.plan_quirks = plans::ardupilot_rover_quirks();
-  t.plan_quirks.profile = mission::vehicle_profile::ardurover;
+  t.plan_profile = plans::ardupilot_rover_profile();
+  t.plan_profile.profile = mission::vehicle_profile::ardurover;
   t.params = copter_params(); // those that stations ask for are the same
   t.banner = {"ArduRover V4.7.0-dev (99ea60eb)", "3d1219c7c4c5404aaa1f6d2a48adfda4"};
   return t;

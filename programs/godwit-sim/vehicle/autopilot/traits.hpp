@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "actors/ground_port/mission_server/autopilot_quirks.hpp"
+#include "actors/ground_port/mission_server/server_profile.hpp"
 #include "actors/ground_port/vehicle_role/param_table.hpp"
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/messages/version.hpp"
@@ -38,7 +38,7 @@ struct traits {
   mode_table modes;
   std::uint32_t first_mode = 0; // after a start
 
-  plans::autopilot_quirks plan_quirks;
+  plans::server_profile plan_profile;
   std::vector<role::param> params;
   role::param_encoding param_encoding{};
   bool has_param_file = false;    // for MAVLink FTP

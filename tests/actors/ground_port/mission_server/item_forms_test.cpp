@@ -69,14 +69,14 @@ TEST(item_forms, numbers_that_are_none_or_too_large_do_not_overflow) {
 }
 
 TEST(item_forms, px4_keeps_items_as_sent) {
-  const auto kept = as_kept(form_waypoint(), px4_quirks());
+  const auto kept = as_kept(form_waypoint(), px4_profile());
   EXPECT_EQ(kept.frame, number(mav_frame::global_relative_alt_int));
   EXPECT_EQ(kept.param2, 1);
   EXPECT_EQ(kept.z, 30.126F);
 }
 
 TEST(item_forms, ardupilot_keeps_what_it_uses) {
-  const auto kept = as_kept(form_waypoint(), ardupilot_copter_quirks());
+  const auto kept = as_kept(form_waypoint(), ardupilot_copter_profile());
   EXPECT_EQ(kept.frame, number(mav_frame::global_relative_alt));
   EXPECT_EQ(kept.param1, 5);
   EXPECT_EQ(kept.param2, 0);
@@ -85,7 +85,7 @@ TEST(item_forms, ardupilot_keeps_what_it_uses) {
   EXPECT_NEAR(kept.z, 30.13F, 1e-4);
   auto home = form_waypoint();
   home.command = number(mav_cmd::nav_return_to_launch);
-  EXPECT_EQ(as_kept(home, ardupilot_copter_quirks()).frame, number(mav_frame::global));
+  EXPECT_EQ(as_kept(home, ardupilot_copter_profile()).frame, number(mav_frame::global));
 }
 
 TEST(item_forms, the_address_is_not_part_of_a_plan) {

@@ -34,7 +34,7 @@ TEST(check_item, refuses_commands_that_it_does_not_know) {
 TEST(check_item, takes_unknown_commands_that_are_allowed_as_items_of_a_mission) {
   auto item = waypoint();
   item.command = 9'999;
-  autopilot_quirks vehicle;
+  server_profile vehicle;
   vehicle.also_takes = {9'998, 9'999};
   EXPECT_EQ(check_item(item, vehicle), mav_mission_result::accepted);
   item.x = 2'000'000'000;
@@ -67,7 +67,7 @@ TEST(check_item, refuses_positions_that_are_not_on_earth_where_the_vehicle_looks
   auto item = waypoint();
   item.x = 950'000'000;
   EXPECT_EQ(check_item(item, {}), mav_mission_result::invalid_param5_x);
-  EXPECT_EQ(check_item(item, px4_quirks()), mav_mission_result::accepted);
+  EXPECT_EQ(check_item(item, px4_profile()), mav_mission_result::accepted);
   item.x = INT32_MIN;
   EXPECT_EQ(check_item(item, {}), mav_mission_result::invalid_param5_x);
   item = waypoint();
@@ -164,7 +164,7 @@ struct part {
 };
 
 // The first item that is not taken; as many as there are: all are.
-std::size_t fault_in(const std::vector<part>& fence, const fence_quirks& vehicle = {}) {
+std::size_t fault_in(const std::vector<part>& fence, const fence_profile& vehicle = {}) {
   fence_check check(vehicle, static_cast<int>(fence.size()));
   for (std::size_t i = 0; i < fence.size(); ++i) {
     mavlink::mission_item_int item;
@@ -213,7 +213,7 @@ TEST(fence_check, a_circle_has_a_radius) {
 }
 
 TEST(fence_check, px4_counts_vertices_and_looks_at_nothing_else) {
-  const auto px4 = px4_quirks().fence;
+  const auto px4 = px4_profile().fence;
   EXPECT_EQ(fault_in({{inclusion, 2}, {inclusion, 2}}, px4), 0U);
   EXPECT_EQ(fault_in({{inclusion, nan}}, px4), 0U);
   EXPECT_EQ(fault_in({{inclusion, 5}, {exclusion, 3}, {circle, -1}}, px4), 3U);

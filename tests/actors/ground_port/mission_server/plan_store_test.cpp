@@ -21,7 +21,7 @@ void put(plan_store& store, int count, int x) {
 }
 
 TEST(plan_store, an_atomic_vehicle_holds_the_old_plan_until_the_new_one_is_complete) {
-  plan_store store(px4_quirks());
+  plan_store store(px4_profile());
   store.begin(mav_mission_type::mission, 3);
   put(store, 3, 10);
   EXPECT_TRUE(store.plan(mav_mission_type::mission).items.empty());
@@ -34,7 +34,7 @@ TEST(plan_store, an_atomic_vehicle_holds_the_old_plan_until_the_new_one_is_compl
 }
 
 TEST(plan_store, ardupilot_holds_a_mixture_in_between) {
-  plan_store store(ardupilot_copter_quirks());
+  plan_store store(ardupilot_copter_profile());
   store.begin(mav_mission_type::mission, 4);
   put(store, 4, 10);
   (void)store.complete();
@@ -48,7 +48,7 @@ TEST(plan_store, ardupilot_holds_a_mixture_in_between) {
 }
 
 TEST(plan_store, item_0_of_an_ardupilot_mission_is_home_and_only_of_a_mission) {
-  auto vehicle = ardupilot_copter_quirks();
+  auto vehicle = ardupilot_copter_profile();
   vehicle.home->x = 77;
   plan_store store(vehicle);
   store.begin(mav_mission_type::mission, 2);
@@ -63,7 +63,7 @@ TEST(plan_store, item_0_of_an_ardupilot_mission_is_home_and_only_of_a_mission) {
 }
 
 TEST(plan_store, the_same_plan_has_the_same_id_and_another_one_another) {
-  plan_store store(px4_quirks());
+  plan_store store(px4_profile());
   store.begin(mav_mission_type::mission, 2);
   put(store, 2, 10);
   (void)store.complete();
@@ -94,12 +94,12 @@ TEST(plan_store, the_id_says_nothing_of_address_type_and_mark) {
 }
 
 TEST(plan_store, a_restored_plan_has_the_id_that_it_had) {
-  plan_store store(px4_quirks());
+  plan_store store(px4_profile());
   store.begin(mav_mission_type::mission, 2);
   put(store, 2, 10);
   EXPECT_FALSE(store.complete());
   const auto held = store.plan(mav_mission_type::mission);
-  plan_store later(px4_quirks());
+  plan_store later(px4_profile());
   later.restore(mav_mission_type::mission, held.items);
   EXPECT_EQ(later.plan(mav_mission_type::mission).id, held.id);
   later.begin(mav_mission_type::mission, 2);
@@ -108,7 +108,7 @@ TEST(plan_store, a_restored_plan_has_the_id_that_it_had) {
 }
 
 TEST(plan_store, a_vehicle_without_ids_has_none) {
-  plan_store store(ardupilot_copter_quirks());
+  plan_store store(ardupilot_copter_profile());
   store.begin(mav_mission_type::mission, 2);
   put(store, 2, 10);
   (void)store.complete();

@@ -24,22 +24,22 @@ std::vector<plan_change_kind> kinds(const dialogue& with) {
 
 TEST(server_changes, ardupilots_mission_is_cut_at_the_count_and_an_atomic_one_is_flown_on) {
   using enum plan_change_kind;
-  dialogue ardupilot(ardupilot_copter_quirks());
+  dialogue ardupilot(ardupilot_copter_profile());
   (void)ardupilot.upload(4);
   (void)ardupilot.tell(count_of(2));
   EXPECT_EQ(kinds(ardupilot), (std::vector{begun_replacing, replaced, begun_replacing}));
   EXPECT_EQ(ardupilot.changes().back().count, 2) << "what is left of the old one";
-  dialogue px4(px4_quirks());
+  dialogue px4(px4_profile());
   (void)px4.upload(4);
   (void)px4.tell(count_of(2));
   EXPECT_EQ(kinds(px4), std::vector{replaced});
-  dialogue fences(ardupilot_copter_quirks());
+  dialogue fences(ardupilot_copter_profile());
   (void)fences.upload(2, fence);
   EXPECT_EQ(kinds(fences), std::vector{replaced}) << "its fence is replaced as a whole";
 }
 
 TEST(server_changes, clearing_is_told_for_each_type) {
-  dialogue with(plain_quirks());
+  dialogue with(plain_profile());
   (void)with.upload(2);
   (void)with.tell(clear_of(all));
   ASSERT_EQ(with.changes().size(), 4U);
@@ -50,7 +50,7 @@ TEST(server_changes, clearing_is_told_for_each_type) {
 }
 
 TEST(server_changes, the_mark_of_the_current_item_is_told_for_a_mission_alone) {
-  for (const auto& vehicle : {px4_quirks(), ardupilot_copter_quirks(), plain_quirks()}) {
+  for (const auto& vehicle : {px4_profile(), ardupilot_copter_profile(), plain_profile()}) {
     dialogue with(vehicle);
     (void)with.upload(3);
     EXPECT_EQ(with.changes().back().marked_current, std::nullopt);
@@ -67,7 +67,7 @@ TEST(server_changes, the_mark_of_the_current_item_is_told_for_a_mission_alone) {
 }
 
 TEST(server_changes, the_same_plan_again_is_identical_whatever_is_marked) {
-  for (const auto& vehicle : {px4_quirks(), plain_quirks()}) {
+  for (const auto& vehicle : {px4_profile(), plain_profile()}) {
     dialogue with(vehicle);
     (void)with.upload(3);
     EXPECT_FALSE(with.changes().back().identical);
@@ -87,7 +87,7 @@ TEST(server_changes, the_same_plan_again_is_identical_whatever_is_marked) {
 }
 
 TEST(server_changes, a_plan_of_an_earlier_life_is_put_back_as_it_was_and_without_a_word) {
-  for (const auto& vehicle : {px4_quirks(), plain_quirks(), ardupilot_rover_quirks()}) {
+  for (const auto& vehicle : {px4_profile(), plain_profile(), ardupilot_rover_profile()}) {
     dialogue before(vehicle);
     (void)before.upload(3);
     (void)before.upload(2, fence);
@@ -104,7 +104,7 @@ TEST(server_changes, a_plan_of_an_earlier_life_is_put_back_as_it_was_and_without
 }
 
 TEST(server_changes, the_partner_is_who_has_a_transfer) {
-  dialogue with(plain_quirks());
+  dialogue with(plain_profile());
   EXPECT_EQ(with.vehicle().partner(), std::nullopt);
   (void)with.tell(count_of(2));
   EXPECT_EQ(with.vehicle().partner(), station);

@@ -15,7 +15,7 @@ namespace server_clear_test {
 using words = dialogue::words;
 
 TEST(server_clear, a_clear_is_for_one_type_and_all_is_for_each) {
-  dialogue with(px4_quirks());
+  dialogue with(px4_profile());
   for (const int type : {0, fence, rally})
     (void)with.upload(2, type);
   EXPECT_EQ(with.tell(clear_of(fence)), words{"ACK accepted type 1"});
@@ -29,19 +29,19 @@ TEST(server_clear, a_clear_is_for_one_type_and_all_is_for_each) {
 }
 
 TEST(server_clear, ardupilot_and_our_server_name_the_type_that_they_do_not_know) {
-  for (const auto& vehicle : {ardupilot_copter_quirks(), plain_quirks()}) {
+  for (const auto& vehicle : {ardupilot_copter_profile(), plain_profile()}) {
     dialogue with(vehicle);
     EXPECT_EQ(with.tell(count_of(0, 7)), words{"ACK unsupported type 7"});
     EXPECT_EQ(with.tell(clear_of(7)), words{"ACK unsupported type 7"});
   }
-  dialogue px4(px4_quirks());
+  dialogue px4(px4_profile());
   (void)px4.upload(2);
   EXPECT_EQ(px4.tell(count_of(0, 7)), words{"ACK accepted type 7"});
   EXPECT_EQ(px4.held().items.size(), 2U) << "said, and nothing done";
 }
 
 TEST(server_clear, while_the_mission_is_flown_only_fence_and_rally_are_cleared) {
-  dialogue with(plain_quirks());
+  dialogue with(plain_profile());
   for (const int type : {0, fence, rally})
     (void)with.upload(2, type);
   with.vehicle().lock(true);
@@ -54,7 +54,7 @@ TEST(server_clear, while_the_mission_is_flown_only_fence_and_rally_are_cleared) 
 }
 
 TEST(server_clear, px4_and_our_server_do_not_clear_what_is_coming_in) {
-  for (const auto& [vehicle, busy] : {std::pair{px4_quirks(), "ACK error"}, {plain_quirks(), "ACK denied"}}) {
+  for (const auto& [vehicle, busy] : {std::pair{px4_profile(), "ACK error"}, {plain_profile(), "ACK denied"}}) {
     dialogue with(vehicle);
     (void)with.upload(3);
     (void)with.tell(count_of(1));

@@ -75,7 +75,7 @@ void expect_as_sent(const mavlink::mission_item_int& got, const mavlink::mission
 // -- The exchange
 
 TEST(server_download, gives_the_count_and_each_item_and_is_closed_by_an_acknowledgement) {
-  for (const auto& vehicle : {px4_quirks(), ardupilot_rover_quirks(), plain_quirks()}) {
+  for (const auto& vehicle : {px4_profile(), ardupilot_rover_profile(), plain_profile()}) {
     dialogue with(vehicle);
     (void)with.upload(3);
     EXPECT_EQ(with.tell(list_of(0)), words{"COUNT 3"});
@@ -92,7 +92,7 @@ TEST(server_download, gives_the_count_and_each_item_and_is_closed_by_an_acknowle
 }
 
 TEST(server_download, the_three_plans_are_separate) {
-  for (const auto& vehicle : {px4_quirks(), ardupilot_copter_quirks(), plain_quirks()}) {
+  for (const auto& vehicle : {px4_profile(), ardupilot_copter_profile(), plain_profile()}) {
     dialogue with(vehicle);
     (void)with.upload(3);
     (void)with.upload(2, fence);
@@ -106,7 +106,7 @@ TEST(server_download, the_three_plans_are_separate) {
 
 TEST(server_download, there_is_no_plan_of_an_unknown_type) {
   for (const int type : {7, all})
-    for (const auto& vehicle : {px4_quirks(), ardupilot_copter_quirks(), plain_quirks()}) {
+    for (const auto& vehicle : {px4_profile(), ardupilot_copter_profile(), plain_profile()}) {
       dialogue with(vehicle);
       EXPECT_EQ(with.tell(list_of(type)), words{"ACK unsupported type " + std::to_string(type)});
       EXPECT_TRUE(with.vehicle().is_idle());
@@ -115,7 +115,7 @@ TEST(server_download, there_is_no_plan_of_an_unknown_type) {
 }
 
 TEST(server_download, px4_gives_items_in_order_of_the_open_plan_and_only_to_who_opened_it) {
-  dialogue with(px4_quirks());
+  dialogue with(px4_profile());
   (void)with.upload(3);
   EXPECT_EQ(ask_for(with, 0), words()) << "nothing is open";
   (void)with.tell(list_of(0));
@@ -127,7 +127,7 @@ TEST(server_download, px4_gives_items_in_order_of_the_open_plan_and_only_to_who_
 }
 
 TEST(server_download, a_request_out_of_order_is_not_heard) {
-  for (const auto& vehicle : {px4_quirks(), plain_quirks()}) {
+  for (const auto& vehicle : {px4_profile(), plain_profile()}) {
     dialogue with(vehicle);
     (void)with.upload(3);
     (void)with.tell(list_of(0));
@@ -138,7 +138,7 @@ TEST(server_download, a_request_out_of_order_is_not_heard) {
 }
 
 TEST(server_download, our_own_server_gives_again_what_it_gave_before_and_px4_only_the_last) {
-  for (const auto& vehicle : {px4_quirks(), plain_quirks()}) {
+  for (const auto& vehicle : {px4_profile(), plain_profile()}) {
     dialogue with(vehicle);
     (void)with.upload(5);
     (void)with.tell(list_of(0));
@@ -150,7 +150,7 @@ TEST(server_download, our_own_server_gives_again_what_it_gave_before_and_px4_onl
 }
 
 TEST(server_download, an_acknowledgement_of_another_type_does_not_close_it) {
-  for (const auto& vehicle : {px4_quirks(), plain_quirks()}) {
+  for (const auto& vehicle : {px4_profile(), plain_profile()}) {
     dialogue with(vehicle);
     (void)with.upload(2);
     (void)with.tell(list_of(0));
@@ -160,7 +160,7 @@ TEST(server_download, an_acknowledgement_of_another_type_does_not_close_it) {
 }
 
 TEST(server_download, px4_takes_a_list_request_for_the_end_of_a_download_of_which_each_item_is_given) {
-  dialogue with(px4_quirks());
+  dialogue with(px4_profile());
   (void)with.upload(2);
   (void)with.tell(list_of(0));
   (void)ask_for(with, 0);
@@ -170,7 +170,7 @@ TEST(server_download, px4_takes_a_list_request_for_the_end_of_a_download_of_whic
 }
 
 TEST(server_download, ardupilot_gives_any_item_to_anybody_and_says_which_does_not_exist) {
-  dialogue with(ardupilot_copter_quirks());
+  dialogue with(ardupilot_copter_profile());
   (void)with.upload(3);
   EXPECT_EQ(ask_for(with, 2), words{"ITEM_INT 2"});
   EXPECT_EQ(ask_for(with, 0, 0, other_station), words{"254/190 ITEM_INT 0"});
@@ -180,7 +180,7 @@ TEST(server_download, ardupilot_gives_any_item_to_anybody_and_says_which_does_no
 }
 
 TEST(server_download, ardupilot_takes_a_turn_for_each_item) {
-  dialogue with(ardupilot_rover_quirks());
+  dialogue with(ardupilot_rover_profile());
   (void)with.upload(100);
   with.send(list_of(0));
   for (int seq = 0; seq < 90; ++seq)
@@ -193,7 +193,7 @@ TEST(server_download, ardupilot_takes_a_turn_for_each_item) {
 // -- Busy
 
 TEST(server_download, px4_is_busy_for_everybody_until_it_is_closed) {
-  dialogue with(px4_quirks());
+  dialogue with(px4_profile());
   (void)with.upload(2);
   (void)with.tell(list_of(0));
   EXPECT_EQ(with.tell(count_of(3)), words{"ACK error"}) << "for the station itself as well";
@@ -211,7 +211,7 @@ TEST(server_download, px4_is_busy_for_everybody_until_it_is_closed) {
 }
 
 TEST(server_download, px4_closes_it_5_s_after_the_last_request_an_empty_one_too) {
-  dialogue with(px4_quirks());
+  dialogue with(px4_profile());
   EXPECT_EQ(with.tell(list_of(0)), words{"COUNT 0"});
   (void)with.wait(5 * s - 1);
   EXPECT_EQ(with.tell(count_of(1), other_station), words{"254/190 ACK error"});
@@ -228,33 +228,33 @@ TEST(server_download, px4_closes_it_5_s_after_the_last_request_an_empty_one_too)
 }
 
 TEST(server_download, ardupilot_takes_a_plan_from_another_station_while_one_is_read) {
-  dialogue with(ardupilot_copter_quirks());
+  dialogue with(ardupilot_copter_profile());
   (void)with.upload(2);
   (void)with.tell(list_of(0));
   EXPECT_EQ(with.upload(3, 0, other_station), words{"254/190 ACK accepted"});
 }
 
 TEST(server_download, while_a_plan_comes_in_none_is_given) {
-  for (const auto& vehicle : {plain_quirks(), ardupilot_copter_quirks()}) {
+  for (const auto& vehicle : {plain_profile(), ardupilot_copter_profile()}) {
     dialogue with(vehicle);
     (void)with.tell(count_of(2));
     EXPECT_EQ(with.tell(list_of(0)), words{"ACK denied"});
     EXPECT_EQ(with.tell(list_of(0), other_station), words{"254/190 ACK denied"});
     EXPECT_TRUE(with.vehicle().is_receiving());
   }
-  dialogue px4(px4_quirks());
+  dialogue px4(px4_profile());
   (void)px4.tell(count_of(2));
   EXPECT_EQ(px4.tell(list_of(0)), words());
   EXPECT_EQ(px4.tell(list_of(0), other_station), words());
   EXPECT_TRUE(px4.vehicle().is_receiving());
-  dialogue ardupilot(ardupilot_copter_quirks());
+  dialogue ardupilot(ardupilot_copter_profile());
   (void)ardupilot.upload(2);
   (void)ardupilot.tell(count_of(2));
   EXPECT_EQ(ask_for(ardupilot, 1, 0, other_station), words{"254/190 ACK denied"}) << "nor an item of the old one";
 }
 
 TEST(server_download, our_server_goes_on_with_the_first_station_and_refuses_the_others) {
-  dialogue with(plain_quirks());
+  dialogue with(plain_profile());
   (void)with.upload(2);
   (void)with.tell(list_of(0));
   (void)ask_for(with, 0);
@@ -275,18 +275,18 @@ TEST(server_download, our_server_goes_on_with_the_first_station_and_refuses_the_
 TEST(server_download, ardupilot_hears_what_is_for_everybody_and_px4_what_is_for_itself_or_each_component) {
   for (const mavlink::sender to : {mavlink::sender{0, 0}, mavlink::sender{1, 0}, mavlink::sender{1, 55}}) {
     const auto px4_answer = to == mavlink::sender{1, 0} ? words{"COUNT 0"} : words();
-    EXPECT_EQ(dialogue(ardupilot_rover_quirks()).tell(list_of(0), station, to), words{"COUNT 0"});
-    EXPECT_EQ(dialogue(px4_quirks()).tell(list_of(0), station, to), px4_answer);
-    EXPECT_EQ(dialogue(plain_quirks()).tell(list_of(0), station, to), words());
+    EXPECT_EQ(dialogue(ardupilot_rover_profile()).tell(list_of(0), station, to), words{"COUNT 0"});
+    EXPECT_EQ(dialogue(px4_profile()).tell(list_of(0), station, to), px4_answer);
+    EXPECT_EQ(dialogue(plain_profile()).tell(list_of(0), station, to), words());
   }
-  for (const auto& vehicle : {px4_quirks(), ardupilot_rover_quirks(), plain_quirks()})
+  for (const auto& vehicle : {px4_profile(), ardupilot_rover_profile(), plain_profile()})
     EXPECT_EQ(dialogue(vehicle).tell(list_of(0), station, {2, 1}), words());
 }
 
 // -- Form
 
 TEST(server_download, px4_and_our_server_give_back_what_was_sent) {
-  for (const auto& vehicle : {px4_quirks(), plain_quirks()}) {
+  for (const auto& vehicle : {px4_profile(), plain_profile()}) {
     dialogue with(vehicle);
     const std::vector plan{rich_waypoint(0), rich_waypoint(1), rich_waypoint(2)};
     upload(with, plan);
@@ -298,7 +298,7 @@ TEST(server_download, px4_and_our_server_give_back_what_was_sent) {
 }
 
 TEST(server_download, px4_marks_the_item_at_which_it_is_and_that_is_item_0_of_a_new_mission) {
-  dialogue with(px4_quirks());
+  dialogue with(px4_profile());
   upload(with, {rich_waypoint(0), rich_waypoint(1)});
   auto got = download(with);
   ASSERT_EQ(got.size(), 2U);
@@ -315,7 +315,7 @@ TEST(server_download, px4_marks_the_item_at_which_it_is_and_that_is_item_0_of_a_
 }
 
 TEST(server_download, item_0_of_an_ardupilot_mission_is_home_and_counts) {
-  auto vehicle = ardupilot_copter_quirks();
+  auto vehicle = ardupilot_copter_profile();
   vehicle.home->x = 123;
   vehicle.home->y = 456;
   dialogue with(vehicle);
@@ -331,7 +331,7 @@ TEST(server_download, item_0_of_an_ardupilot_mission_is_home_and_counts) {
 }
 
 TEST(server_download, ardupilot_gives_the_meaning_back_and_not_the_bytes) {
-  dialogue with(ardupilot_copter_quirks());
+  dialogue with(ardupilot_copter_profile());
   auto home_again = rich_waypoint(2);
   home_again.command = number(mav_cmd::nav_return_to_launch);
   auto flat = rich_waypoint(3);
@@ -352,7 +352,7 @@ TEST(server_download, ardupilot_gives_the_meaning_back_and_not_the_bytes) {
 }
 
 TEST(server_download, the_deprecated_request_is_answered_in_degrees) {
-  for (const auto& vehicle : {px4_quirks(), ardupilot_copter_quirks()}) {
+  for (const auto& vehicle : {px4_profile(), ardupilot_copter_profile()}) {
     dialogue with(vehicle);
     (void)with.upload(2);
     (void)with.tell(list_of(0));
@@ -364,7 +364,7 @@ TEST(server_download, the_deprecated_request_is_answered_in_degrees) {
 }
 
 TEST(server_download, a_vehicle_without_floats_refuses_the_deprecated_request_and_stays_open) {
-  auto vehicle = plain_quirks();
+  auto vehicle = plain_profile();
   vehicle.serves_float_items = false;
   dialogue with(vehicle);
   (void)with.upload(2);

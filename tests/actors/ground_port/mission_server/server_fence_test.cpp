@@ -40,17 +40,17 @@ words answers_to(dialogue& with, const std::vector<mavlink::mission_item_int>& i
 
 TEST(server_fence, a_polygon_of_two_vertices_is_refused_at_its_first_or_at_its_end) {
   const std::vector two{vertex(0, 2), vertex(1, 2)};
-  dialogue plain(plain_quirks());
+  dialogue plain(plain_profile());
   EXPECT_EQ(answers_to(plain, two), words{"ACK invalid_param1 type 1"});
   EXPECT_EQ(plain.texts(), words{"Fence: item 0: no polygon and no circle"});
-  dialogue px4(px4_quirks());
+  dialogue px4(px4_profile());
   EXPECT_EQ(answers_to(px4, two), words{"ACK error type 1"});
-  dialogue ardupilot(ardupilot_copter_quirks());
+  dialogue ardupilot(ardupilot_copter_profile());
   EXPECT_EQ(answers_to(ardupilot, two), (words{"REQUEST 1 type 1", "ACK error type 1"}));
 }
 
 TEST(server_fence, a_polygon_of_three_is_taken_by_all) {
-  for (const auto& vehicle : {plain_quirks(), px4_quirks(), ardupilot_rover_quirks()}) {
+  for (const auto& vehicle : {plain_profile(), px4_profile(), ardupilot_rover_profile()}) {
     dialogue with(vehicle);
     EXPECT_EQ(answers_to(with, {vertex(0, 3), vertex(1, 3), vertex(2, 3)}).back(), "ACK accepted type 1");
   }
@@ -58,20 +58,20 @@ TEST(server_fence, a_polygon_of_three_is_taken_by_all) {
 
 TEST(server_fence, polygons_that_do_not_add_up_are_refused_at_the_item_or_at_the_end) {
   const std::vector mixed{vertex(0, 3), vertex(1, 3), vertex(2, 4), circle(3, 5)};
-  dialogue plain(plain_quirks());
+  dialogue plain(plain_profile());
   EXPECT_EQ(answers_to(plain, mixed),
             (words{"REQUEST_INT 1 type 1", "REQUEST_INT 2 type 1", "ACK invalid_param1 type 1"}));
-  dialogue ardupilot(ardupilot_copter_quirks());
+  dialogue ardupilot(ardupilot_copter_profile());
   EXPECT_EQ(answers_to(ardupilot, mixed).back(), "ACK error type 1");
 }
 
 TEST(server_fence, a_circle_without_a_radius_is_refused) {
-  dialogue plain(plain_quirks());
+  dialogue plain(plain_profile());
   EXPECT_EQ(answers_to(plain, {circle(0, 0)}), words{"ACK invalid_param1 type 1"});
 }
 
 TEST(server_fence, the_old_fence_is_held_until_the_new_one_is_one) {
-  for (const auto& vehicle : {plain_quirks(), px4_quirks(), ardupilot_rover_quirks()}) {
+  for (const auto& vehicle : {plain_profile(), px4_profile(), ardupilot_rover_profile()}) {
     dialogue with(vehicle);
     (void)answers_to(with, {circle(0, 7)});
     (void)answers_to(with, {vertex(0, 2), vertex(1, 2)});

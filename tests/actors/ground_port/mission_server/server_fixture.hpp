@@ -45,7 +45,7 @@ class dialogue {
 public:
   using words = std::vector<std::string>;
 
-  explicit dialogue(const autopilot_quirks& vehicle) : turn_ns_(vehicle.turn_ns), server_(vehicle, vehicle_id) {}
+  explicit dialogue(const server_profile& vehicle) : turn_ns_(vehicle.turn_ns), server_(vehicle, vehicle_id) {}
 
   // What the vehicle says until its next turn is over; that is at once where it has none.
   template <class M>

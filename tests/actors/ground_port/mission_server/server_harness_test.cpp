@@ -47,21 +47,21 @@ std::optional<std::string> first_finding() {
 TEST(server_harness, finds_nothing_in_the_server) { EXPECT_EQ(first_finding<server>(), std::nullopt); }
 
 struct never_gives_up : server {
-  never_gives_up(autopilot_quirks vehicle, mavlink::sender self) : server((vehicle.gives_up_ns *= 2, vehicle), self) {}
+  never_gives_up(server_profile vehicle, mavlink::sender self) : server((vehicle.gives_up_ns *= 2, vehicle), self) {}
 };
 TEST(server_harness, finds_one_that_waits_too_long) {
   EXPECT_EQ(first_finding<never_gives_up>(), "not idle after 10 s of silence");
 }
 
 struct has_more_room : server {
-  has_more_room(autopilot_quirks vehicle, mavlink::sender self) : server((vehicle.capacity += 1, vehicle), self) {}
+  has_more_room(server_profile vehicle, mavlink::sender self) : server((vehicle.capacity += 1, vehicle), self) {}
 };
 TEST(server_harness, finds_one_that_takes_too_much) {
   EXPECT_EQ(first_finding<has_more_room>(), "a plan for which there is no room");
 }
 
 struct is_not_atomic : server {
-  is_not_atomic(autopilot_quirks vehicle, mavlink::sender self) : server((vehicle.is_atomic = false, vehicle), self) {}
+  is_not_atomic(server_profile vehicle, mavlink::sender self) : server((vehicle.is_atomic = false, vehicle), self) {}
 };
 TEST(server_harness, finds_one_that_replaces_item_by_item) {
   EXPECT_EQ(first_finding<is_not_atomic>(), "an atomic plan was cut");

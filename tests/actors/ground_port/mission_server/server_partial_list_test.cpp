@@ -24,7 +24,7 @@ mavlink::mission_item_int moved(int seq) {
 }
 
 TEST(server_partial_list, ardupilot_asks_for_these_items_and_replaces_them) {
-  dialogue with(ardupilot_copter_quirks());
+  dialogue with(ardupilot_copter_profile());
   (void)with.upload(5);
   EXPECT_EQ(with.tell(part_of(2, 3)), words{"REQUEST 2"});
   EXPECT_EQ(with.tell(moved(2)), words{"REQUEST 3"});
@@ -38,8 +38,8 @@ TEST(server_partial_list, ardupilot_asks_for_these_items_and_replaces_them) {
   EXPECT_EQ(with.changes().back().count, 5);
 }
 
-TEST(server_partial_list, ardupilot_takes_one_behind_the_last_and_none_that_is_further) {
-  dialogue with(ardupilot_copter_quirks());
+TEST(server_partial_list, ardupilot_takes_one_after_the_last_and_none_that_is_further) {
+  dialogue with(ardupilot_copter_profile());
   (void)with.upload(3);
   EXPECT_EQ(with.tell(part_of(3, 3)), words{"REQUEST 3"});
   EXPECT_EQ(with.tell(moved(3)), words{"ACK accepted"});
@@ -53,7 +53,7 @@ TEST(server_partial_list, ardupilot_takes_one_behind_the_last_and_none_that_is_f
 }
 
 TEST(server_partial_list, ardupilot_gives_up_as_with_a_whole_plan) {
-  dialogue with(ardupilot_copter_quirks());
+  dialogue with(ardupilot_copter_profile());
   (void)with.upload(3);
   (void)with.tell(part_of(1, 1));
   EXPECT_EQ(with.tell(part_of(1, 1), other_station), words{"254/190 ACK denied"});
@@ -62,11 +62,11 @@ TEST(server_partial_list, ardupilot_gives_up_as_with_a_whole_plan) {
 }
 
 TEST(server_partial_list, px4_does_not_hear_it_and_our_server_can_not) {
-  dialogue px4(px4_quirks());
+  dialogue px4(px4_profile());
   (void)px4.upload(3);
   EXPECT_EQ(px4.tell(part_of(1, 1)), words());
   EXPECT_EQ(px4.tell(moved(1)), words{"ACK error"}) << "no transfer";
-  dialogue plain(plain_quirks());
+  dialogue plain(plain_profile());
   (void)plain.upload(3);
   EXPECT_EQ(plain.tell(part_of(1, 1)), words{"ACK unsupported"});
   EXPECT_TRUE(plain.vehicle().is_idle());

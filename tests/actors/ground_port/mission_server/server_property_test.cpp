@@ -100,7 +100,7 @@ constexpr sender nobody{};
 // of.
 class run {
 public:
-  explicit run(autopilot_quirks vehicle) : vehicle_(with_room(vehicle)), server_(vehicle_, vehicle_id) {}
+  explicit run(server_profile vehicle) : vehicle_(with_room(vehicle)), server_(vehicle_, vehicle_id) {}
 
   void play(const std::vector<op>& ops) {
     for (const auto& each : ops)
@@ -119,7 +119,7 @@ private:
     int seq = 0;
   };
 
-  static autopilot_quirks with_room(autopilot_quirks vehicle) {
+  static server_profile with_room(server_profile vehicle) {
     vehicle.capacity = room;
     return vehicle;
   }
@@ -314,7 +314,7 @@ private:
     int type = 0;
   };
 
-  autopilot_quirks vehicle_;
+  server_profile vehicle_;
   server server_;
   std::int64_t now_ns_ = 1 * s;
   std::vector<sent_item> items_;
@@ -328,17 +328,17 @@ private:
 std::vector<op> any_sequence() { return *rc::gen::scale(3.0, rc::gen::arbitrary<std::vector<op>>()); }
 
 RC_GTEST_PROP(server_property, our_own_server_keeps_its_word_whatever_is_said, ()) {
-  run(plain_quirks()).play(any_sequence());
+  run(plain_profile()).play(any_sequence());
 }
 
-RC_GTEST_PROP(server_property, px4_keeps_its_word_whatever_is_said, ()) { run(px4_quirks()).play(any_sequence()); }
+RC_GTEST_PROP(server_property, px4_keeps_its_word_whatever_is_said, ()) { run(px4_profile()).play(any_sequence()); }
 
 RC_GTEST_PROP(server_property, rover_keeps_its_word_whatever_is_said, ()) {
-  run(ardupilot_rover_quirks()).play(any_sequence());
+  run(ardupilot_rover_profile()).play(any_sequence());
 }
 
 RC_GTEST_PROP(server_property, copter_keeps_its_word_whatever_is_said, ()) {
-  run(ardupilot_copter_quirks()).play(any_sequence());
+  run(ardupilot_copter_profile()).play(any_sequence());
 }
 
 } // namespace server_property_test

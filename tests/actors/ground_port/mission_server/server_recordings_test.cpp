@@ -79,7 +79,7 @@ std::string in_lines(const words& all) {
 // One recording, walked through.
 class walk {
 public:
-  walk(const std::string& name, const autopilot_quirks& vehicle) : vehicle_(vehicle), server_(vehicle, vehicle_id) {
+  walk(const std::string& name, const server_profile& vehicle) : vehicle_(vehicle), server_(vehicle, vehicle_id) {
     io::mcap::file_source file;
     EXPECT_TRUE(file.open(std::filesystem::path(GODWIT_TEST_DATA) / "captures" / name));
     mavlink::tlog_reader reader(file);
@@ -134,7 +134,7 @@ private:
 
   [[nodiscard]] bool has_home() const { return vehicle_.home.has_value(); }
 
-  autopilot_quirks vehicle_;
+  server_profile vehicle_;
   server server_;
   std::int64_t now_ns_ = 0;
   int questions_ = 0;
@@ -161,13 +161,13 @@ void expect_as_recorded(const walk& seen, const std::vector<deviation>& deviatio
 }
 
 TEST(server_recordings, px4_answers_as_it_did_to_a_mission_and_a_fence) {
-  const walk seen("px4_quad_mission.tlog", px4_quirks());
+  const walk seen("px4_quad_mission.tlog", px4_profile());
   EXPECT_EQ(seen.questions(), 27);
   expect_as_recorded(seen);
 }
 
 TEST(server_recordings, px4_answers_as_it_did_to_everything_that_is_wrong) {
-  const walk seen("px4_quad_probes.tlog", px4_quirks());
+  const walk seen("px4_quad_probes.tlog", px4_profile());
   EXPECT_EQ(seen.questions(), 55);
   expect_as_recorded(seen, {{"ITEM 0 command 16 frame 3 current 0 params 0 0 0 0 at 47.3977 8.54564 0",
                              "ITEM 0 command 16 frame 3 current 1 params 0 0 0 0 at 47.3977 8.54564 0",
@@ -175,20 +175,20 @@ TEST(server_recordings, px4_answers_as_it_did_to_everything_that_is_wrong) {
 }
 
 TEST(server_recordings, rover_answers_as_it_did_to_a_mission_and_a_fence) {
-  const walk seen("ardurover_mission.tlog", ardupilot_rover_quirks());
+  const walk seen("ardurover_mission.tlog", ardupilot_rover_profile());
   EXPECT_EQ(seen.questions(), 25);
   expect_as_recorded(seen);
 }
 
 TEST(server_recordings, rover_answers_as_it_did_to_everything_that_is_wrong) {
-  const walk seen("ardurover_probes.tlog", ardupilot_rover_quirks());
+  const walk seen("ardurover_probes.tlog", ardupilot_rover_profile());
   EXPECT_EQ(seen.questions(), 55);
   expect_as_recorded(seen);
 }
 
 // The peer of that client did not know the protocol, so there is nothing to compare. Each of its tries is answered.
 TEST(server_recordings, a_client_whose_peer_was_silent_is_answered_each_time) {
-  const walk seen("mavsdk_client_vs_passive.tlog", plain_quirks());
+  const walk seen("mavsdk_client_vs_passive.tlog", plain_profile());
   EXPECT_TRUE(seen.recorded().messages.empty());
   EXPECT_EQ(seen.questions(), 10) << "5 times the count, 5 times the list";
   const auto& said = seen.ours().messages;

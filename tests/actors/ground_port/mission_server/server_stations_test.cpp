@@ -52,7 +52,7 @@ bool is_plan(const plan_items& held, const plan_items& plan) { return !mavlink::
 
 struct kind {
   std::string name;
-  mission_server::autopilot_quirks vehicle;
+  mission_server::server_profile vehicle;
   mav_autopilot autopilot{};
 };
 
@@ -169,7 +169,7 @@ private:
 
   std::uint64_t seed_;
   test_rng draw_;
-  mission_server::autopilot_quirks vehicle_;
+  mission_server::server_profile vehicle_;
   transfer_world world_;
   std::vector<transfer_world::station*> stations_;
   std::vector<plan_items> plans_; // of each station
@@ -192,11 +192,11 @@ TEST_P(server_stations, three_at_once_leave_a_whole_plan_and_are_told_the_truth)
 
 INSTANTIATE_TEST_SUITE_P(
     with, server_stations,
-    testing::Values(kind{"our_own_server", mission_server::plain_quirks(), mav_autopilot::generic},
-                    kind{"px4", mission_server::px4_quirks(), mav_autopilot::px4},
-                    kind{"copter", mission_server::ardupilot_copter_quirks(), mav_autopilot::ardupilotmega},
-                    kind{"plane", mission_server::ardupilot_plane_quirks(), mav_autopilot::ardupilotmega},
-                    kind{"rover", mission_server::ardupilot_rover_quirks(), mav_autopilot::ardupilotmega}),
+    testing::Values(kind{"our_own_server", mission_server::plain_profile(), mav_autopilot::generic},
+                    kind{"px4", mission_server::px4_profile(), mav_autopilot::px4},
+                    kind{"copter", mission_server::ardupilot_copter_profile(), mav_autopilot::ardupilotmega},
+                    kind{"plane", mission_server::ardupilot_plane_profile(), mav_autopilot::ardupilotmega},
+                    kind{"rover", mission_server::ardupilot_rover_profile(), mav_autopilot::ardupilotmega}),
     [](const auto& which) { return which.param.name; });
 
 } // namespace server_stations_test

@@ -20,7 +20,7 @@ constexpr sender other_station{254, 190};
 // A station that talks to a vehicle without turns, so that each answer comes at once.
 class conversation {
 public:
-  explicit conversation(autopilot_quirks vehicle) : server_(without_turns(vehicle), vehicle_id) {}
+  explicit conversation(server_profile vehicle) : server_(without_turns(vehicle), vehicle_id) {}
 
   template <class M>
   std::vector<outgoing> say(M message, sender from = station, sender to = vehicle_id) {
@@ -69,7 +69,7 @@ public:
   std::size_t held(mav_mission_type type = mav_mission_type::mission) { return server_.plan(type).items.size(); }
 
 private:
-  static autopilot_quirks without_turns(autopilot_quirks vehicle) {
+  static server_profile without_turns(server_profile vehicle) {
     vehicle.turn_ns = 0;
     return vehicle;
   }
@@ -102,7 +102,7 @@ std::optional<mav_mission_result> result_of(const std::vector<outgoing>& answer)
 }
 
 TEST(server, asks_for_each_item_and_acknowledges_the_last) {
-  conversation with(plain_quirks());
+  conversation with(plain_profile());
   EXPECT_EQ(requested(with.count(3)), 0);
   EXPECT_EQ(requested(with.item(0)), 1);
   EXPECT_EQ(requested(with.item(1)), 2);
@@ -119,12 +119,13 @@ TEST(server, asks_for_each_item_and_acknowledges_the_last) {
 }
 
 TEST(server, ardupilot_asks_with_the_deprecated_request_and_px4_with_the_new_one) {
-  EXPECT_TRUE(std::holds_alternative<mavlink::mission_request>(conversation(ardupilot_copter_quirks()).count(3).at(0)));
-  EXPECT_TRUE(std::holds_alternative<mavlink::mission_request_int>(conversation(px4_quirks()).count(3).at(0)));
+  EXPECT_TRUE(
+      std::holds_alternative<mavlink::mission_request>(conversation(ardupilot_copter_profile()).count(3).at(0)));
+  EXPECT_TRUE(std::holds_alternative<mavlink::mission_request_int>(conversation(px4_profile()).count(3).at(0)));
 }
 
 TEST(server, items_are_taken_ahead_of_their_requests) {
-  conversation with(px4_quirks());
+  conversation with(px4_profile());
   (void)with.count(10);
   for (int i = 0; i < 9; ++i)
     EXPECT_EQ(requested(with.item(i)), i + 1);
@@ -132,14 +133,14 @@ TEST(server, items_are_taken_ahead_of_their_requests) {
 }
 
 TEST(server, asks_again_in_its_own_period_and_gives_up_in_its_own_way) {
-  conversation px4(px4_quirks());
+  conversation px4(px4_profile());
   (void)px4.count(3);
   EXPECT_TRUE(px4.wait(259 * ms).empty());
   EXPECT_EQ(requested(px4.wait(1 * ms)), 0);
   EXPECT_TRUE(px4.wait(4'740 * ms).empty()) << "silently, after 5 s";
   EXPECT_TRUE(px4.vehicle().is_idle());
 
-  conversation ardupilot(ardupilot_copter_quirks());
+  conversation ardupilot(ardupilot_copter_profile());
   (void)ardupilot.count(3);
   EXPECT_EQ(requested(ardupilot.wait(1'000 * ms)), 0);
   EXPECT_EQ(result_of(ardupilot.wait(7'000 * ms)), mav_mission_result::operation_cancelled);
@@ -147,41 +148,41 @@ TEST(server, asks_again_in_its_own_period_and_gives_up_in_its_own_way) {
 }
 
 TEST(server, a_wrong_item_is_ignored_or_an_error_or_asked_for_again) {
-  conversation px4(px4_quirks());
+  conversation px4(px4_profile());
   (void)px4.count(3);
   EXPECT_TRUE(px4.item(1).empty());
-  conversation ardupilot(ardupilot_copter_quirks());
+  conversation ardupilot(ardupilot_copter_profile());
   (void)ardupilot.count(3);
   EXPECT_EQ(result_of(ardupilot.item(1)), mav_mission_result::invalid_sequence);
   EXPECT_EQ(requested(ardupilot.item(0)), 1) << "the transfer stays open";
   EXPECT_EQ(result_of(ardupilot.item(0)), mav_mission_result::invalid_sequence) << "a repeated one as well";
-  conversation plain(plain_quirks());
+  conversation plain(plain_profile());
   (void)plain.count(3);
   EXPECT_EQ(requested(plain.item(2)), 0);
 }
 
 TEST(server, the_last_item_again_is_accepted_by_px4_and_an_error_to_ardupilot) {
-  conversation px4(px4_quirks());
+  conversation px4(px4_profile());
   px4.upload(3);
   const auto again = acknowledged(px4.item(2));
   ASSERT_TRUE(again.has_value());
   EXPECT_EQ(again->type, number(mav_mission_result::accepted));
   EXPECT_EQ(again->opaque_id, px4.vehicle().plan(mav_mission_type::mission).id);
-  conversation ardupilot(ardupilot_copter_quirks());
+  conversation ardupilot(ardupilot_copter_profile());
   ardupilot.upload(3);
   EXPECT_EQ(result_of(ardupilot.item(2)), mav_mission_result::error);
   EXPECT_EQ(ardupilot.held(), 3U);
 }
 
 TEST(server, an_item_without_a_transfer_is_an_error) {
-  EXPECT_EQ(result_of(conversation(plain_quirks()).item(0)), mav_mission_result::error);
+  EXPECT_EQ(result_of(conversation(plain_profile()).item(0)), mav_mission_result::error);
 }
 
 TEST(server, a_second_station_is_told_that_the_vehicle_is_busy_and_the_first_goes_on) {
   for (const auto& [vehicle, busy, stray] :
-       {std::tuple{px4_quirks(), mav_mission_result::error, std::optional<mav_mission_result>()},
-        {ardupilot_copter_quirks(), mav_mission_result::denied, std::optional(mav_mission_result::invalid_sequence)},
-        {plain_quirks(), mav_mission_result::denied, std::optional(mav_mission_result::error)}}) {
+       {std::tuple{px4_profile(), mav_mission_result::error, std::optional<mav_mission_result>()},
+        {ardupilot_copter_profile(), mav_mission_result::denied, std::optional(mav_mission_result::invalid_sequence)},
+        {plain_profile(), mav_mission_result::denied, std::optional(mav_mission_result::error)}}) {
     conversation with(vehicle);
     (void)with.count(3);
     const auto refused = acknowledged(with.count(5, mav_mission_type::mission, other_station));
@@ -195,7 +196,7 @@ TEST(server, a_second_station_is_told_that_the_vehicle_is_busy_and_the_first_goe
 }
 
 TEST(server, a_taciturn_one_says_nothing_when_busy) {
-  auto vehicle = plain_quirks();
+  auto vehicle = plain_profile();
   vehicle.when_busy = std::nullopt;
   conversation with(vehicle);
   (void)with.count(3);
@@ -203,11 +204,11 @@ TEST(server, a_taciturn_one_says_nothing_when_busy) {
 }
 
 TEST(server, a_second_count_of_the_same_station_begins_again_on_ardupilot_and_on_px4_only_at_item_0) {
-  conversation ardupilot(ardupilot_copter_quirks());
+  conversation ardupilot(ardupilot_copter_profile());
   (void)ardupilot.count(3);
   (void)ardupilot.item(0);
   EXPECT_EQ(requested(ardupilot.count(3)), 0);
-  conversation px4(px4_quirks());
+  conversation px4(px4_profile());
   (void)px4.count(3);
   EXPECT_EQ(requested(px4.count(3)), 0);
   (void)px4.item(0);
@@ -216,11 +217,11 @@ TEST(server, a_second_count_of_the_same_station_begins_again_on_ardupilot_and_on
 }
 
 TEST(server, cancel_stops_px4_at_once_and_is_ignored_by_ardupilot) {
-  conversation px4(px4_quirks());
+  conversation px4(px4_profile());
   (void)px4.count(3);
   EXPECT_TRUE(px4.ack(mav_mission_result::operation_cancelled).empty());
   EXPECT_TRUE(px4.vehicle().is_idle());
-  conversation ardupilot(ardupilot_copter_quirks());
+  conversation ardupilot(ardupilot_copter_profile());
   (void)ardupilot.count(3);
   (void)ardupilot.ack(mav_mission_result::operation_cancelled);
   EXPECT_EQ(requested(ardupilot.wait(1'000 * ms)), 0);
@@ -228,7 +229,7 @@ TEST(server, cancel_stops_px4_at_once_and_is_ignored_by_ardupilot) {
 
 TEST(server, count_0_and_clear_all_clear) {
   for (const bool by_count : {true, false}) {
-    conversation with(px4_quirks());
+    conversation with(px4_profile());
     with.upload(3);
     const auto answer = by_count ? with.count(0) : with.say(mavlink::mission_clear_all{});
     EXPECT_EQ(result_of(answer), mav_mission_result::accepted);
@@ -238,7 +239,7 @@ TEST(server, count_0_and_clear_all_clear) {
 }
 
 TEST(server, a_plan_that_is_flown_is_not_cleared_and_may_be_replaced) {
-  conversation with(plain_quirks());
+  conversation with(plain_profile());
   with.upload(3);
   with.vehicle().lock(true);
   EXPECT_EQ(result_of(with.count(0)), mav_mission_result::denied);
@@ -249,14 +250,14 @@ TEST(server, a_plan_that_is_flown_is_not_cleared_and_may_be_replaced) {
 }
 
 TEST(server, more_items_than_there_is_room_for_are_refused) {
-  conversation with(ardupilot_rover_quirks());
+  conversation with(ardupilot_rover_profile());
   EXPECT_EQ(result_of(with.count(656)), mav_mission_result::no_space);
   EXPECT_TRUE(with.vehicle().is_idle());
   EXPECT_EQ(requested(with.count(655)), 0);
 }
 
 TEST(server, a_refused_item_ends_the_transfer_and_px4_keeps_the_old_plan) {
-  conversation with(px4_quirks());
+  conversation with(px4_profile());
   with.upload(3);
   (void)with.count(2);
   auto bad = conversation::item_of(0);
@@ -269,16 +270,16 @@ TEST(server, a_refused_item_ends_the_transfer_and_px4_keeps_the_old_plan) {
 TEST(server, latitude_95_is_refused_by_ardupilot_and_taken_by_px4) {
   auto item = conversation::item_of(0);
   item.x = 950'000'000;
-  conversation ardupilot(ardupilot_rover_quirks());
+  conversation ardupilot(ardupilot_rover_profile());
   (void)ardupilot.count(1);
   EXPECT_EQ(result_of(ardupilot.say(item)), mav_mission_result::invalid_param5_x);
-  conversation px4(px4_quirks());
+  conversation px4(px4_profile());
   (void)px4.count(1);
   EXPECT_EQ(result_of(px4.say(item)), mav_mission_result::accepted);
 }
 
 TEST(server, an_item_of_another_type_is_an_error_and_the_transfer_stays_open) {
-  for (const auto& vehicle : {px4_quirks(), ardupilot_copter_quirks()}) {
+  for (const auto& vehicle : {px4_profile(), ardupilot_copter_profile()}) {
     conversation with(vehicle);
     (void)with.count(2);
     auto item = conversation::item_of(0);
@@ -289,27 +290,27 @@ TEST(server, an_item_of_another_type_is_an_error_and_the_transfer_stays_open) {
 }
 
 TEST(server, an_unknown_mission_type_is_unsupported_but_px4_clears_it) {
-  EXPECT_EQ(result_of(conversation(ardupilot_copter_quirks()).count(0, static_cast<mav_mission_type>(7))),
+  EXPECT_EQ(result_of(conversation(ardupilot_copter_profile()).count(0, static_cast<mav_mission_type>(7))),
             mav_mission_result::unsupported);
-  EXPECT_EQ(result_of(conversation(px4_quirks()).count(0, static_cast<mav_mission_type>(7))),
+  EXPECT_EQ(result_of(conversation(px4_profile()).count(0, static_cast<mav_mission_type>(7))),
             mav_mission_result::accepted);
 }
 
 TEST(server, clearing_all_types_at_once_is_unsupported_by_ardupilot) {
   mavlink::mission_clear_all all;
   all.mission_type = number(mav_mission_type::all);
-  conversation ardupilot(ardupilot_copter_quirks());
+  conversation ardupilot(ardupilot_copter_profile());
   ardupilot.upload(3);
   EXPECT_EQ(result_of(ardupilot.say(all)), mav_mission_result::unsupported);
   EXPECT_EQ(ardupilot.held(), 3U);
-  conversation px4(px4_quirks());
+  conversation px4(px4_profile());
   px4.upload(3);
   EXPECT_EQ(result_of(px4.say(all)), mav_mission_result::accepted);
   EXPECT_EQ(px4.held(), 0U);
 }
 
 TEST(server, gives_its_plan_in_order_and_the_last_item_twice_if_asked) {
-  conversation with(px4_quirks());
+  conversation with(px4_profile());
   with.upload(3);
   const auto count = std::get<mavlink::mission_count>(with.say(mavlink::mission_request_list{}).at(0));
   EXPECT_EQ(count.count, 3);
@@ -322,50 +323,50 @@ TEST(server, gives_its_plan_in_order_and_the_last_item_twice_if_asked) {
 }
 
 TEST(server, ardupilot_gives_any_item_at_any_time) {
-  conversation with(ardupilot_copter_quirks());
+  conversation with(ardupilot_copter_profile());
   with.upload(3);
   EXPECT_EQ(std::get<mavlink::mission_item_int>(with.request<mavlink::mission_request_int>(2).at(0)).seq, 2);
   EXPECT_EQ(result_of(with.request<mavlink::mission_request_int>(999)), mav_mission_result::invalid_sequence);
-  conversation px4(px4_quirks());
+  conversation px4(px4_profile());
   px4.upload(3);
   EXPECT_TRUE(px4.request<mavlink::mission_request_int>(0).empty()) << "no list was asked for";
 }
 
 TEST(server, the_deprecated_request_is_answered_with_the_deprecated_item_or_refused) {
-  conversation with(ardupilot_copter_quirks());
+  conversation with(ardupilot_copter_profile());
   with.upload(2);
   EXPECT_TRUE(std::holds_alternative<mavlink::mission_item>(with.request<mavlink::mission_request>(1).at(0)));
-  auto modern = plain_quirks();
+  auto modern = plain_profile();
   modern.serves_float_items = false;
   EXPECT_EQ(result_of(conversation(modern).request<mavlink::mission_request>(0)), mav_mission_result::unsupported);
 }
 
 TEST(server, px4_is_busy_until_a_download_is_closed_an_empty_one_too) {
-  conversation with(px4_quirks());
+  conversation with(px4_profile());
   (void)with.say(mavlink::mission_request_list{});
   EXPECT_EQ(result_of(with.count(3)), mav_mission_result::error);
   (void)with.ack(mav_mission_result::accepted);
   EXPECT_EQ(requested(with.count(3)), 0);
 
-  conversation forgetful(px4_quirks());
+  conversation forgetful(px4_profile());
   (void)forgetful.say(mavlink::mission_request_list{});
   (void)forgetful.wait(5'000 * ms);
   EXPECT_EQ(requested(forgetful.count(3)), 0);
 
-  conversation ardupilot(ardupilot_copter_quirks());
+  conversation ardupilot(ardupilot_copter_profile());
   (void)ardupilot.say(mavlink::mission_request_list{});
   EXPECT_EQ(requested(ardupilot.count(3)), 0);
 }
 
 TEST(server, a_list_can_be_asked_for_again_when_the_count_was_lost) {
-  conversation with(px4_quirks());
+  conversation with(px4_profile());
   with.upload(2);
   (void)with.say(mavlink::mission_request_list{});
   EXPECT_TRUE(std::holds_alternative<mavlink::mission_count>(with.say(mavlink::mission_request_list{}).at(0)));
 }
 
 TEST(server, a_float_item_is_taken_and_then_asked_for) {
-  conversation with(px4_quirks());
+  conversation with(px4_profile());
   (void)with.count(2);
   mavlink::mission_item item;
   item.command = number(mavlink::mav_cmd::nav_waypoint);
@@ -377,7 +378,7 @@ TEST(server, a_float_item_is_taken_and_then_asked_for) {
 }
 
 TEST(server, hears_what_is_for_it_and_ardupilot_also_what_is_for_everybody) {
-  for (const auto& [vehicle, hears] : {std::pair{px4_quirks(), false}, std::pair{ardupilot_copter_quirks(), true}}) {
+  for (const auto& [vehicle, hears] : {std::pair{px4_profile(), false}, std::pair{ardupilot_copter_profile(), true}}) {
     EXPECT_EQ(!conversation(vehicle).say(mavlink::mission_request_list{}, station, {0, 0}).empty(), hears);
     EXPECT_EQ(!conversation(vehicle).say(mavlink::mission_request_list{}, station, {1, 55}).empty(), hears);
     EXPECT_TRUE(conversation(vehicle).say(mavlink::mission_request_list{}, station, {2, 1}).empty());
@@ -385,7 +386,7 @@ TEST(server, hears_what_is_for_it_and_ardupilot_also_what_is_for_everybody) {
 }
 
 TEST(server, takes_one_message_in_each_turn) {
-  server rover(ardupilot_rover_quirks(), vehicle_id);
+  server rover(ardupilot_rover_profile(), vehicle_id);
   mavlink::mission_count count;
   count.target_system = 1;
   count.target_component = 1;
@@ -401,7 +402,7 @@ TEST(server, takes_one_message_in_each_turn) {
 }
 
 TEST(server, a_restart_forgets_the_transfer_and_keeps_the_plan) {
-  conversation with(px4_quirks());
+  conversation with(px4_profile());
   with.upload(3);
   (void)with.count(2);
   with.vehicle().restart();

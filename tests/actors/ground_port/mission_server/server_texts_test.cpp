@@ -13,7 +13,7 @@ using mavlink::mav_mission_result;
 using words = dialogue::words;
 
 TEST(server_texts, ardupilot_says_that_a_plan_came_and_that_none_did) {
-  dialogue with(ardupilot_copter_quirks());
+  dialogue with(ardupilot_copter_profile());
   (void)with.upload(3);
   EXPECT_EQ(with.texts(), words{"Flight plan received"});
   (void)with.tell(count_of(0));
@@ -31,7 +31,7 @@ TEST(server_texts, ardupilot_says_that_a_plan_came_and_that_none_did) {
 }
 
 TEST(server_texts, ardupilot_complains_of_the_deprecated_forms_once_in_each_life) {
-  dialogue with(ardupilot_copter_quirks());
+  dialogue with(ardupilot_copter_profile());
   const auto use_both = [&] {
     (void)with.upload(2);
     (void)with.texts();
@@ -50,7 +50,7 @@ TEST(server_texts, ardupilot_complains_of_the_deprecated_forms_once_in_each_life
 }
 
 TEST(server_texts, px4_says_nothing_of_what_goes_well) {
-  dialogue with(px4_quirks());
+  dialogue with(px4_profile());
   (void)with.upload(3);
   (void)with.tell(count_of(0));
   EXPECT_EQ(with.texts(), words());
@@ -70,7 +70,7 @@ TEST(server_texts, px4_says_nothing_of_what_goes_well) {
 }
 
 TEST(server_texts, our_own_name_who_what_and_why) {
-  dialogue with(plain_quirks());
+  dialogue with(plain_profile());
   (void)with.upload(3);
   EXPECT_EQ(with.texts(), words{"Mission: 3 items taken from 255/190"});
   (void)with.tell(count_of(2));

@@ -33,14 +33,14 @@ words times(int count, const std::string& text) { return words(static_cast<std::
 // -- Silence
 
 TEST(server_upload, our_own_server_asks_again_in_both_ways_by_turns) {
-  dialogue with(plain_quirks());
+  dialogue with(plain_profile());
   EXPECT_EQ(with.tell(count_of(2)), words{"REQUEST_INT 0"});
   EXPECT_EQ(with.wait(1 * s), words{"REQUEST 0"});
   EXPECT_EQ(with.wait(1 * s), words{"REQUEST_INT 0"});
 }
 
 TEST(server_upload, px4_asks_again_every_260_ms_and_stops_after_5_s_without_a_word) {
-  dialogue with(px4_quirks());
+  dialogue with(px4_profile());
   (void)with.tell(count_of(3));
   EXPECT_EQ(with.wait(260 * ms - 1), words());
   EXPECT_EQ(with.wait(1), words{"REQUEST_INT 0"});
@@ -52,7 +52,7 @@ TEST(server_upload, px4_asks_again_every_260_ms_and_stops_after_5_s_without_a_wo
 }
 
 TEST(server_upload, ardupilot_asks_again_every_second_and_cancels_after_8_s) {
-  for (const auto& vehicle : {ardupilot_copter_quirks(), ardupilot_plane_quirks(), ardupilot_rover_quirks()}) {
+  for (const auto& vehicle : {ardupilot_copter_profile(), ardupilot_plane_profile(), ardupilot_rover_profile()}) {
     dialogue with(vehicle);
     EXPECT_EQ(with.tell(count_of(3)), words{"REQUEST 0"});
     EXPECT_EQ(with.wait(1 * s - with.since_turn_ns() - 1), words());
@@ -65,7 +65,7 @@ TEST(server_upload, ardupilot_asks_again_every_second_and_cancels_after_8_s) {
 }
 
 TEST(server_upload, patience_begins_again_with_each_item_and_asks_for_the_one_that_is_missing) {
-  dialogue with(px4_quirks());
+  dialogue with(px4_profile());
   (void)with.tell(count_of(3));
   (void)with.wait(4'900 * ms);
   EXPECT_EQ(with.tell(waypoint(0)), words{"REQUEST_INT 1"});
@@ -77,7 +77,7 @@ TEST(server_upload, patience_begins_again_with_each_item_and_asks_for_the_one_th
 // -- Order
 
 TEST(server_upload, px4_says_nothing_to_a_wrong_item_and_asks_in_its_own_time) {
-  dialogue with(px4_quirks());
+  dialogue with(px4_profile());
   (void)with.tell(count_of(3));
   EXPECT_EQ(with.tell(waypoint(1)), words());
   EXPECT_EQ(with.wait(260 * ms), words{"REQUEST_INT 0"});
@@ -87,7 +87,7 @@ TEST(server_upload, px4_says_nothing_to_a_wrong_item_and_asks_in_its_own_time) {
 }
 
 TEST(server_upload, ardupilot_answers_each_item_after_a_gap_and_then_goes_on_with_the_right_one) {
-  dialogue with(ardupilot_copter_quirks());
+  dialogue with(ardupilot_copter_profile());
   (void)with.tell(count_of(17));
   for (int seq = 1; seq < 17; ++seq)
     with.send(waypoint(seq));
@@ -99,7 +99,7 @@ TEST(server_upload, ardupilot_answers_each_item_after_a_gap_and_then_goes_on_wit
 }
 
 TEST(server_upload, the_last_item_again_is_accepted_from_its_station_alone_and_in_each_form) {
-  dialogue with(px4_quirks());
+  dialogue with(px4_profile());
   EXPECT_EQ(with.upload(3), words{"ACK accepted"});
   EXPECT_EQ(with.tell(waypoint(2)), words{"ACK accepted"});
   EXPECT_EQ(with.tell(float_waypoint(2)), words{"ACK accepted"});
@@ -112,9 +112,9 @@ TEST(server_upload, the_last_item_again_is_accepted_from_its_station_alone_and_i
 }
 
 TEST(server_upload, ardupilot_and_our_server_begin_again_with_the_new_count_and_px4_goes_on_with_the_old_one) {
-  for (const auto& [vehicle, answer, count] : {std::tuple{ardupilot_rover_quirks(), "REQUEST 0", 2},
-                                               {plain_quirks(), "REQUEST_INT 0", 2},
-                                               {px4_quirks(), "ACK error", 4}}) {
+  for (const auto& [vehicle, answer, count] : {std::tuple{ardupilot_rover_profile(), "REQUEST 0", 2},
+                                               {plain_profile(), "REQUEST_INT 0", 2},
+                                               {px4_profile(), "ACK error", 4}}) {
     dialogue with(vehicle);
     (void)with.tell(count_of(4));
     (void)with.tell(waypoint(0));
@@ -128,7 +128,7 @@ TEST(server_upload, ardupilot_and_our_server_begin_again_with_the_new_count_and_
 }
 
 TEST(server_upload, px4_takes_a_new_count_before_item_0_for_the_old_one_again) {
-  dialogue with(px4_quirks());
+  dialogue with(px4_profile());
   (void)with.tell(count_of(2));
   EXPECT_EQ(with.tell(count_of(5, fence)), words{"REQUEST_INT 0"});
   (void)with.tell(waypoint(0));
@@ -137,19 +137,19 @@ TEST(server_upload, px4_takes_a_new_count_before_item_0_for_the_old_one_again) {
 
 TEST(server_upload, a_refused_count_ends_the_upload_of_its_station_with_us_and_with_no_autopilot) {
   for (const auto& refused : {count_of(60'000), count_of(3, 7)}) {
-    dialogue with(plain_quirks());
+    dialogue with(plain_profile());
     (void)with.tell(count_of(2));
     (void)with.tell(waypoint(0));
     (void)with.tell(refused);
     EXPECT_TRUE(with.vehicle().is_idle());
     EXPECT_EQ(with.tell(waypoint(1)), words{"ACK error"});
-    dialogue ardupilot(ardupilot_copter_quirks());
+    dialogue ardupilot(ardupilot_copter_profile());
     (void)ardupilot.tell(count_of(2));
     (void)ardupilot.tell(waypoint(0));
     (void)ardupilot.tell(refused);
     EXPECT_EQ(ardupilot.tell(waypoint(1)), words{"ACK accepted"});
   }
-  dialogue flown(plain_quirks());
+  dialogue flown(plain_profile());
   (void)flown.upload(2);
   flown.vehicle().lock(true);
   (void)flown.tell(count_of(2));
@@ -163,7 +163,7 @@ TEST(server_upload, a_refused_count_ends_the_upload_of_its_station_with_us_and_w
 // 100 items were seen to take 2.02 s on Rover and 0.44 s on Copter, request by request; what is sent ahead waits for
 // its turn and for nothing else.
 TEST(server_upload, ninety_items_at_once_take_a_turn_each_and_one_for_the_count) {
-  for (const auto& vehicle : {ardupilot_rover_quirks(), ardupilot_copter_quirks()}) {
+  for (const auto& vehicle : {ardupilot_rover_profile(), ardupilot_copter_profile()}) {
     dialogue with(vehicle);
     with.send(count_of(90));
     for (int seq = 0; seq < 90; ++seq)
@@ -175,7 +175,7 @@ TEST(server_upload, ninety_items_at_once_take_a_turn_each_and_one_for_the_count)
 }
 
 TEST(server_upload, a_flood_costs_the_newest_messages_and_nothing_else) {
-  dialogue with(ardupilot_rover_quirks());
+  dialogue with(ardupilot_rover_profile());
   (void)with.tell(count_of(3));
   for (int i = 0; i < 200; ++i)
     with.send(waypoint(2));
@@ -190,7 +190,7 @@ TEST(server_upload, a_flood_costs_the_newest_messages_and_nothing_else) {
 // -- Room, commands, frames, types
 
 TEST(server_upload, px4_and_ardupilot_have_no_space_for_60000_items_and_keep_what_they_hold) {
-  for (const auto& vehicle : {px4_quirks(), ardupilot_copter_quirks()}) {
+  for (const auto& vehicle : {px4_profile(), ardupilot_copter_profile()}) {
     dialogue with(vehicle);
     (void)with.upload(3);
     EXPECT_EQ(with.tell(count_of(60'000)), words{"ACK no_space"});
@@ -205,7 +205,7 @@ TEST(server_upload, an_unknown_command_or_frame_ends_the_transfer_with_its_reaso
   command.command = 9'999;
   auto frame = waypoint(1);
   frame.frame = 77;
-  for (const auto& vehicle : {px4_quirks(), ardupilot_copter_quirks(), plain_quirks()}) {
+  for (const auto& vehicle : {px4_profile(), ardupilot_copter_profile(), plain_profile()}) {
     for (const auto& [bad, answer] : {std::pair{command, "ACK unsupported"}, {frame, "ACK unsupported_frame"}}) {
       dialogue with(vehicle);
       (void)with.tell(count_of(3));
@@ -218,7 +218,7 @@ TEST(server_upload, an_unknown_command_or_frame_ends_the_transfer_with_its_reaso
 }
 
 TEST(server_upload, an_item_of_another_type_is_an_error_and_does_not_count) {
-  for (const auto& vehicle : {px4_quirks(), ardupilot_copter_quirks()}) {
+  for (const auto& vehicle : {px4_profile(), ardupilot_copter_profile()}) {
     dialogue with(vehicle);
     (void)with.tell(count_of(2));
     EXPECT_EQ(with.tell(waypoint(0, rally)), words{"ACK error type 2"});
@@ -230,7 +230,7 @@ TEST(server_upload, an_item_of_another_type_is_an_error_and_does_not_count) {
 
 TEST(server_upload, a_plan_of_no_known_type_is_not_begun) {
   for (const int type : {7, all})
-    for (const auto& vehicle : {px4_quirks(), ardupilot_copter_quirks(), plain_quirks()}) {
+    for (const auto& vehicle : {px4_profile(), ardupilot_copter_profile(), plain_profile()}) {
       dialogue with(vehicle);
       const std::string answer = vehicle.checks_type ? "ACK unsupported type " : "ACK no_space type ";
       EXPECT_EQ(with.tell(count_of(3, type)), words{answer + std::to_string(type)});
@@ -241,7 +241,7 @@ TEST(server_upload, a_plan_of_no_known_type_is_not_begun) {
 // -- The deprecated form
 
 TEST(server_upload, float_items_make_a_plan_on_px4_and_ardupilot) {
-  for (const auto& vehicle : {px4_quirks(), ardupilot_copter_quirks()}) {
+  for (const auto& vehicle : {px4_profile(), ardupilot_copter_profile()}) {
     dialogue with(vehicle);
     (void)with.tell(count_of(3));
     EXPECT_EQ(with.tell(float_waypoint(0)), words{"REQUEST 1"});
@@ -254,7 +254,7 @@ TEST(server_upload, float_items_make_a_plan_on_px4_and_ardupilot) {
 }
 
 TEST(server_upload, our_own_server_asks_for_integers_and_does_not_hear_floats) {
-  dialogue with(plain_quirks());
+  dialogue with(plain_profile());
   (void)with.tell(count_of(2));
   EXPECT_EQ(with.tell(float_waypoint(0)), words());
   EXPECT_EQ(with.wait(2 * s), (words{"REQUEST 0", "REQUEST_INT 0"}));
@@ -263,7 +263,7 @@ TEST(server_upload, our_own_server_asks_for_integers_and_does_not_hear_floats) {
 // -- Several stations
 
 TEST(server_upload, an_item_of_a_station_that_is_refused_never_comes_into_the_plan_of_the_other) {
-  for (const auto& vehicle : {px4_quirks(), ardupilot_copter_quirks(), plain_quirks()}) {
+  for (const auto& vehicle : {px4_profile(), ardupilot_copter_profile(), plain_profile()}) {
     dialogue with(vehicle);
     (void)with.tell(count_of(2));
     auto foreign = waypoint(0);
@@ -280,7 +280,7 @@ TEST(server_upload, an_item_of_a_station_that_is_refused_never_comes_into_the_pl
 }
 
 TEST(server_upload, nothing_that_another_station_says_ends_or_lengthens_a_transfer) {
-  dialogue with(px4_quirks());
+  dialogue with(px4_profile());
   (void)with.tell(count_of(2));
   (void)with.wait(4'900 * ms);
   for (const auto& answer : {with.tell(ack_of(mav_mission_result::operation_cancelled), other_station),
@@ -295,7 +295,7 @@ TEST(server_upload, nothing_that_another_station_says_ends_or_lengthens_a_transf
 }
 
 TEST(server_upload, one_station_after_the_other_and_each_change_names_its_author) {
-  dialogue with(ardupilot_rover_quirks());
+  dialogue with(ardupilot_rover_profile());
   EXPECT_EQ(with.upload(2), words{"ACK accepted"});
   EXPECT_EQ(with.upload(3, 0, other_station), words{"254/190 ACK accepted"});
   (void)with.tell(count_of(0));
@@ -309,7 +309,7 @@ TEST(server_upload, one_station_after_the_other_and_each_change_names_its_author
 }
 
 TEST(server_upload, what_is_for_another_vehicle_leaves_no_trace) {
-  for (const auto& vehicle : {px4_quirks(), ardupilot_copter_quirks(), plain_quirks()}) {
+  for (const auto& vehicle : {px4_profile(), ardupilot_copter_profile(), plain_profile()}) {
     dialogue with(vehicle);
     (void)with.upload(2);
     const mavlink::sender neighbour{2, 1};
@@ -325,7 +325,7 @@ TEST(server_upload, what_is_for_another_vehicle_leaves_no_trace) {
 // -- Cancel
 
 TEST(server_upload, ardupilot_does_not_hear_a_cancel_and_cancels_itself_8_s_after_the_last_item) {
-  dialogue with(ardupilot_copter_quirks());
+  dialogue with(ardupilot_copter_profile());
   (void)with.tell(count_of(3));
   (void)with.tell(waypoint(0));
   EXPECT_EQ(with.tell(ack_of(mav_mission_result::operation_cancelled)), words());
@@ -337,7 +337,7 @@ TEST(server_upload, ardupilot_does_not_hear_a_cancel_and_cancels_itself_8_s_afte
 }
 
 TEST(server_upload, another_acknowledgement_is_no_cancel) {
-  dialogue with(px4_quirks());
+  dialogue with(px4_profile());
   (void)with.tell(count_of(3));
   EXPECT_EQ(with.tell(ack_of(mav_mission_result::accepted)), words());
   EXPECT_TRUE(with.vehicle().is_receiving());
@@ -348,7 +348,7 @@ TEST(server_upload, another_acknowledgement_is_no_cancel) {
 TEST(server_upload, an_atomic_vehicle_holds_the_old_plan_however_the_new_one_ends) {
   auto bad = waypoint(1);
   bad.command = 9'999;
-  for (const auto& vehicle : {px4_quirks(), plain_quirks()})
+  for (const auto& vehicle : {px4_profile(), plain_profile()})
     for (const int ending : {0, 1, 2}) {
       dialogue with(vehicle);
       (void)with.upload(4);
@@ -370,7 +370,7 @@ TEST(server_upload, an_atomic_vehicle_holds_the_old_plan_however_the_new_one_end
 }
 
 TEST(server_upload, ardupilot_holds_the_beginning_of_the_new_plan_and_the_rest_of_the_old_one) {
-  dialogue with(ardupilot_copter_quirks());
+  dialogue with(ardupilot_copter_profile());
   (void)with.upload(4);
   (void)with.tell(count_of(3));
   for (int seq = 0; seq < 2; ++seq) {
@@ -388,7 +388,7 @@ TEST(server_upload, ardupilot_holds_the_beginning_of_the_new_plan_and_the_rest_o
 // -- Plan ids
 
 TEST(server_upload, px4_and_our_server_name_each_plan_by_its_content) {
-  for (const auto& vehicle : {px4_quirks(), plain_quirks()}) {
+  for (const auto& vehicle : {px4_profile(), plain_profile()}) {
     dialogue with(vehicle);
     for (const int type : {0, fence, rally}) {
       (void)with.upload(3, type);
@@ -408,7 +408,7 @@ TEST(server_upload, px4_and_our_server_name_each_plan_by_its_content) {
 }
 
 TEST(server_upload, an_answer_that_accepts_no_plan_has_no_id) {
-  dialogue with(px4_quirks());
+  dialogue with(px4_profile());
   const auto id_after = [&](const auto& message) {
     EXPECT_EQ(with.tell(message).size(), 1U);
     return with.last<mavlink::mission_ack>().opaque_id;
@@ -422,7 +422,7 @@ TEST(server_upload, an_answer_that_accepts_no_plan_has_no_id) {
 }
 
 TEST(server_upload, ardupilot_has_no_ids) {
-  dialogue with(ardupilot_copter_quirks());
+  dialogue with(ardupilot_copter_profile());
   for (const int type : {0, fence, rally}) {
     EXPECT_EQ(with.upload(3, type).size(), 1U);
     EXPECT_EQ(with.last<mavlink::mission_ack>().opaque_id, 0U);

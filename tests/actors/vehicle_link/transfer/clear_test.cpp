@@ -13,10 +13,10 @@ using mavlink::mav_mission_result;
 using mavlink::mav_mission_type;
 using transfer::verdict;
 
-transfer_world px4_world() { return {mission_server::px4_quirks(), transfer::profile_for(mav_autopilot::px4), {}, 1}; }
+transfer_world px4_world() { return {mission_server::px4_profile(), transfer::profile_for(mav_autopilot::px4), {}, 1}; }
 
 transfer_world copter_world() {
-  return {mission_server::ardupilot_copter_quirks(), transfer::profile_for(mav_autopilot::ardupilotmega), {}, 1};
+  return {mission_server::ardupilot_copter_profile(), transfer::profile_for(mav_autopilot::ardupilotmega), {}, 1};
 }
 
 TEST(clear, the_plan_is_gone_and_the_vehicle_was_asked) {

@@ -144,7 +144,7 @@ TEST(client, two_at_a_time_are_a_broken_invariant) {
 }
 
 TEST(client, an_identical_plan_is_accepted_though_its_id_does_not_change) {
-  transfer_world world(mission_server::px4_quirks(), transfer::profile_for(mav_autopilot::px4), {}, 1);
+  transfer_world world(mission_server::px4_profile(), transfer::profile_for(mav_autopilot::px4), {}, 1);
   world.report_mission_every_second();
   const auto plan = mission_of(20);
   for (int i = 0; i < 3; ++i) {
@@ -156,7 +156,7 @@ TEST(client, an_identical_plan_is_accepted_though_its_id_does_not_change) {
 }
 
 TEST(client, what_was_learned_of_the_line_serves_the_next_transfer) {
-  transfer_world world(mission_server::px4_quirks(), transfer::profile_for(mav_autopilot::px4), {}, 1);
+  transfer_world world(mission_server::px4_profile(), transfer::profile_for(mav_autopilot::px4), {}, 1);
   (void)world.upload(mission_of(20));
   world.run_for(2'000 * ms);
   world.ours().drops_sent = [lost = 0](const transfer::outgoing& each) mutable {

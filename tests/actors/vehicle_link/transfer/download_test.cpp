@@ -16,11 +16,11 @@ using transfer::verdict;
 using godwit::tests::ms;
 
 transfer_world px4_world(const line_settings& line = {}) {
-  return {mission_server::px4_quirks(), transfer::profile_for(mav_autopilot::px4), line, 1};
+  return {mission_server::px4_profile(), transfer::profile_for(mav_autopilot::px4), line, 1};
 }
 
 transfer_world copter_world(const line_settings& line = {}) {
-  return {mission_server::ardupilot_copter_quirks(), transfer::profile_for(mav_autopilot::ardupilotmega), line, 1};
+  return {mission_server::ardupilot_copter_profile(), transfer::profile_for(mav_autopilot::ardupilotmega), line, 1};
 }
 
 TEST(download, brings_what_the_vehicle_holds_and_closes_the_transfer) {

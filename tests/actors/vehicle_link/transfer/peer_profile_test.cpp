@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "actors/ground_port/mission_server/autopilot_quirks.hpp"
+#include "actors/ground_port/mission_server/server_profile.hpp"
 
 namespace godwit::vehicle_link::transfer {
 namespace peer_profile_test {
@@ -24,20 +24,20 @@ TEST(peer_profile, only_px4_and_ardupilot_are_sent_items_ahead) {
 }
 
 TEST(peer_profile, patience_is_longer_than_that_of_the_vehicle) {
-  EXPECT_GT(profile_for(mav_autopilot::px4).patience_ns, mission_server::px4_quirks().gives_up_ns);
+  EXPECT_GT(profile_for(mav_autopilot::px4).patience_ns, mission_server::px4_profile().gives_up_ns);
   EXPECT_GT(profile_for(mav_autopilot::ardupilotmega).patience_ns,
-            mission_server::ardupilot_rover_quirks().gives_up_ns);
+            mission_server::ardupilot_rover_profile().gives_up_ns);
 }
 
 TEST(peer_profile, agrees_with_the_habits_of_the_vehicle) {
   const auto px4 = profile_for(mav_autopilot::px4);
-  EXPECT_EQ(px4.is_atomic, mission_server::px4_quirks().is_atomic);
-  EXPECT_EQ(px4.obeys_cancel, mission_server::px4_quirks().obeys_cancel);
-  EXPECT_EQ(px4.keeps_plan_ids, mission_server::px4_quirks().has_plan_ids);
+  EXPECT_EQ(px4.is_atomic, mission_server::px4_profile().is_atomic);
+  EXPECT_EQ(px4.obeys_cancel, mission_server::px4_profile().obeys_cancel);
+  EXPECT_EQ(px4.keeps_plan_ids, mission_server::px4_profile().has_plan_ids);
   const auto copter = profile_for(mav_autopilot::ardupilotmega);
-  EXPECT_EQ(copter.is_atomic, mission_server::ardupilot_copter_quirks().is_atomic);
-  EXPECT_EQ(copter.obeys_cancel, mission_server::ardupilot_copter_quirks().obeys_cancel);
-  EXPECT_EQ(copter.first_item_is_home, mission_server::ardupilot_copter_quirks().home.has_value());
+  EXPECT_EQ(copter.is_atomic, mission_server::ardupilot_copter_profile().is_atomic);
+  EXPECT_EQ(copter.obeys_cancel, mission_server::ardupilot_copter_profile().obeys_cancel);
+  EXPECT_EQ(copter.first_item_is_home, mission_server::ardupilot_copter_profile().home.has_value());
 }
 
 } // namespace peer_profile_test

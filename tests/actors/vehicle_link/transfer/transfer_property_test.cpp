@@ -25,13 +25,13 @@ using transfer::verdict;
 using godwit::tests::ms;
 
 struct peer {
-  mission_server::autopilot_quirks vehicle;
+  mission_server::server_profile vehicle;
   transfer::peer_profile profile;
 };
 
 // Of some MAVLink servers: they say nothing where others acknowledge.
-mission_server::autopilot_quirks taciturn_quirks() {
-  auto result = mission_server::plain_quirks();
+mission_server::server_profile taciturn_profile() {
+  auto result = mission_server::plain_profile();
   result.when_out_of_order = mission_server::out_of_order::ignored;
   result.when_last_item_comes_again = mission_server::last_item_again::ignored;
   result.when_no_transfer = mission_server::stray_item::ignored;
@@ -46,15 +46,15 @@ peer any_peer(test_rng& draw) {
   switch (draw.between(0, 5)) {
   case 0:
   case 1:
-    return {mission_server::px4_quirks(), transfer::profile_for(mav_autopilot::px4)};
+    return {mission_server::px4_profile(), transfer::profile_for(mav_autopilot::px4)};
   case 2:
-    return {mission_server::ardupilot_copter_quirks(), transfer::profile_for(mav_autopilot::ardupilotmega)};
+    return {mission_server::ardupilot_copter_profile(), transfer::profile_for(mav_autopilot::ardupilotmega)};
   case 3:
-    return {mission_server::ardupilot_rover_quirks(), transfer::profile_for(mav_autopilot::ardupilotmega)};
+    return {mission_server::ardupilot_rover_profile(), transfer::profile_for(mav_autopilot::ardupilotmega)};
   case 4:
-    return {mission_server::plain_quirks(), transfer::profile_for(mav_autopilot::generic)};
+    return {mission_server::plain_profile(), transfer::profile_for(mav_autopilot::generic)};
   default:
-    return {taciturn_quirks(), transfer::profile_for(mav_autopilot::generic)};
+    return {taciturn_profile(), transfer::profile_for(mav_autopilot::generic)};
   }
 }
 

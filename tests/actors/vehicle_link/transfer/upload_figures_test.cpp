@@ -78,7 +78,7 @@ TEST(upload_figures, a_slow_half_duplex_line_is_filled_and_hardly_more_is_sent_o
 std::vector<double> bytes_of_uploads(const upload_peer& peer, double loss, int items, int runs) {
   std::vector<double> result;
   for (int seed = 1; seed <= runs; ++seed) {
-    transfer_world world(peer.autopilot_quirks, peer.profile, radio(loss), static_cast<std::uint64_t>(seed));
+    transfer_world world(peer.server_profile, peer.profile, radio(loss), static_cast<std::uint64_t>(seed));
     (void)world.upload(mission_of(items, static_cast<std::uint64_t>(seed)));
     const auto until_settling = world.ours().bytes_when_settling;
     result.push_back(static_cast<double>(until_settling != 0 ? until_settling : world.ours().line.bytes()));

@@ -20,15 +20,15 @@ using transfer::verdict;
 using godwit::tests::ms;
 
 transfer_world px4_world(const line_settings& line = {}) {
-  return {mission_server::px4_quirks(), transfer::profile_for(mav_autopilot::px4), line, 1};
+  return {mission_server::px4_profile(), transfer::profile_for(mav_autopilot::px4), line, 1};
 }
 
 transfer_world copter_world(const line_settings& line = {}) {
-  return {mission_server::ardupilot_copter_quirks(), transfer::profile_for(mav_autopilot::ardupilotmega), line, 1};
+  return {mission_server::ardupilot_copter_profile(), transfer::profile_for(mav_autopilot::ardupilotmega), line, 1};
 }
 
 transfer_world unknown_world() {
-  return {mission_server::plain_quirks(), transfer::profile_for(mav_autopilot::generic), {}, 1};
+  return {mission_server::plain_profile(), transfer::profile_for(mav_autopilot::generic), {}, 1};
 }
 
 template <class M>

@@ -11,18 +11,18 @@ std::vector<mavlink::mission_item_int> waypoints(int count) {
 }
 
 struct loaded {
-  loaded(personality who, int count) : autopilot_quirks(traits_of(who)), held(autopilot_quirks.plan_quirks, {1, 1}) {
+  loaded(personality who, int count) : vehicle_traits(traits_of(who)), held(vehicle_traits.plan_profile, {1, 1}) {
     held.put_plan(mavlink::mav_mission_type::mission, waypoints(count));
-    run.load(held.plan(mavlink::mav_mission_type::mission).items, autopilot_quirks.plan_quirks.home ? 1 : 0);
+    run.load(held.plan(mavlink::mav_mission_type::mission).items, vehicle_traits.plan_profile.home ? 1 : 0);
   }
-  const traits& autopilot_quirks;
+  const traits& vehicle_traits;
   plans::server held;
   mission_run run;
 };
 
 mavlink::mission_current progress_with(personality who, int count) {
   const loaded vehicle(who, count);
-  return place_in_mission(vehicle.run, vehicle.held, vehicle.autopilot_quirks);
+  return place_in_mission(vehicle.run, vehicle.held, vehicle.vehicle_traits);
 }
 
 TEST(mission_progress, counts_all_items_but_home) {
@@ -46,7 +46,7 @@ TEST(mission_progress, names_the_plan_where_plans_have_ids) {
 TEST(mission_progress, tells_whether_there_is_a_mission_and_whether_its_mode_flies) {
   const auto told = [](int count, bool is_in_mission_mode) {
     const loaded vehicle(personality::px4, count);
-    return progress_of(vehicle.run, vehicle.held, vehicle.autopilot_quirks, is_in_mission_mode);
+    return progress_of(vehicle.run, vehicle.held, vehicle.vehicle_traits, is_in_mission_mode);
   };
   EXPECT_EQ(told(0, true).mission_state, mavlink::number(mavlink::mission_state::no_mission));
   EXPECT_EQ(told(5, true).mission_state, mavlink::number(mavlink::mission_state::not_started));

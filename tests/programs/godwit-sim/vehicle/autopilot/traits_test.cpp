@@ -42,7 +42,7 @@ TEST(traits, parameters_have_names_that_fit_and_are_sorted_out) {
 
 TEST(traits, only_ardupilot_keeps_home_as_an_item) {
   for (const auto who : every_personality)
-    EXPECT_EQ(traits_of(who).plan_quirks.home.has_value(), who == personality::ardupilot || who == personality::plane);
+    EXPECT_EQ(traits_of(who).plan_profile.home.has_value(), who == personality::ardupilot || who == personality::plane);
 }
 
 } // namespace traits_test

@@ -1,4 +1,4 @@
-#include "actors/ground_port/mission_server/autopilot_quirks.hpp"
+#include "actors/ground_port/mission_server/server_profile.hpp"
 
 namespace godwit::ground_port::mission_server {
 
@@ -7,8 +7,8 @@ namespace {
 using mavlink::mav_mission_result;
 
 // TURN_NS: of the main loop, which takes one message of a transfer each time round.
-autopilot_quirks ardupilot(std::int64_t turn_ns) {
-  autopilot_quirks result;
+server_profile ardupilot(std::int64_t turn_ns) {
+  server_profile result;
   result.asks_with = request_kind::mission_request;
   result.asks_in_both_ways = false;
   result.asks_again_ns = 1'000 * ns_per_ms;
@@ -27,7 +27,7 @@ autopilot_quirks ardupilot(std::int64_t turn_ns) {
   result.tells_count_to_the_lost = true;
   result.takes_float_items = true;
   result.when_partial = partial_list::taken;
-  result.listens = hears::everything;
+  result.accepts = accepted_address::everything;
   result.turn_ns = turn_ns;
   result.is_atomic = false;
   result.has_plan_ids = false;
@@ -46,10 +46,10 @@ autopilot_quirks ardupilot(std::int64_t turn_ns) {
 
 } // namespace
 
-autopilot_quirks plain_quirks() { return {}; }
+server_profile plain_profile() { return {}; }
 
-autopilot_quirks px4_quirks() {
-  autopilot_quirks result;
+server_profile px4_profile() {
+  server_profile result;
   result.asks_in_both_ways = false;
   result.asks_again_ns = 260 * ns_per_ms;
   result.serves_earlier_items = false;
@@ -64,7 +64,7 @@ autopilot_quirks px4_quirks() {
   result.list_ends_a_full_download = true;
   result.takes_float_items = true;
   result.when_partial = partial_list::ignored;
-  result.listens = hears::component_0_too;
+  result.accepts = accepted_address::component_0_too;
   result.marks_current = true;
   result.checks_type = false;
   result.checks_latitude = false;
@@ -76,8 +76,8 @@ autopilot_quirks px4_quirks() {
   return result;
 }
 
-autopilot_quirks ardupilot_copter_quirks() { return ardupilot(2'500'000); }
-autopilot_quirks ardupilot_plane_quirks() { return ardupilot(20 * ns_per_ms); }
-autopilot_quirks ardupilot_rover_quirks() { return ardupilot(20 * ns_per_ms); }
+server_profile ardupilot_copter_profile() { return ardupilot(2'500'000); }
+server_profile ardupilot_plane_profile() { return ardupilot(20 * ns_per_ms); }
+server_profile ardupilot_rover_profile() { return ardupilot(20 * ns_per_ms); }
 
 } // namespace godwit::ground_port::mission_server

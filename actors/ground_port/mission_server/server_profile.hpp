@@ -51,16 +51,16 @@ enum class partial_list { unsupported, ignored, taken };
 
 // Which messages are for the vehicle: those with its address; with component 0 of its system as well; with any
 // component of its system, and with system 0.
-enum class hears { own_address, component_0_too, everything };
+enum class accepted_address { own_address, component_0_too, everything };
 
 // How a fence is judged: that polygons have 3 vertices at least and as many as they say, and circles a radius.
-struct fence_quirks {
+struct fence_profile {
   mavlink::mav_mission_result refusal = mavlink::mav_mission_result::invalid_param1;
   bool counts_vertices_only = false; // does not compare them with what follows, and takes any circle
   bool judges_at_the_end = false;    // and keeps the old fence until then, whatever it does with missions
 };
 
-struct autopilot_quirks {
+struct server_profile {
   request_kind asks_with = request_kind::mission_request_int;
   bool asks_in_both_ways = true; // by turns when there is no answer: some stations know only the older request
   std::int64_t asks_again_ns = 1'000 * ns_per_ms;
@@ -90,7 +90,7 @@ struct autopilot_quirks {
   bool serves_float_items = true;         // MISSION_ITEM in answer to MISSION_REQUEST; else UNSUPPORTED
   bool takes_float_items = false;         // MISSION_ITEM in an upload
   partial_list when_partial = partial_list::unsupported;
-  hears listens = hears::own_address;
+  accepted_address accepts = accepted_address::own_address;
 
   // One message of a transfer is taken in each turn of the main loop. 0: at once.
   std::int64_t turn_ns = 0;
@@ -111,15 +111,15 @@ struct autopilot_quirks {
   std::vector<std::uint16_t> also_takes = {}; // as items of a mission: commands that the table does not have
   bool checks_type = true; // UNSUPPORTED for an unknown mission type; else it is cleared, and has no space
   bool checks_latitude = true;
-  fence_quirks fence;
+  fence_profile fence;
   int capacity = 1'000; // items of one plan; more: NO_SPACE
   std::span<const text_row> texts = plain_texts();
 };
 
-[[nodiscard]] autopilot_quirks plain_quirks();
-[[nodiscard]] autopilot_quirks px4_quirks();
-[[nodiscard]] autopilot_quirks ardupilot_copter_quirks();
-[[nodiscard]] autopilot_quirks ardupilot_plane_quirks();
-[[nodiscard]] autopilot_quirks ardupilot_rover_quirks();
+[[nodiscard]] server_profile plain_profile();
+[[nodiscard]] server_profile px4_profile();
+[[nodiscard]] server_profile ardupilot_copter_profile();
+[[nodiscard]] server_profile ardupilot_plane_profile();
+[[nodiscard]] server_profile ardupilot_rover_profile();
 
 } // namespace godwit::ground_port::mission_server

@@ -200,7 +200,7 @@ private:
 
   [[nodiscard]] bool look(effects& out, instant now) { return recovery_.look(out, now); }
   [[nodiscard]] bool judge_holder(effects& out, instant now) {
-    return watch_.heed(out, now) || flight_.pending.is_pending();
+    return watch_.check_authority(out, now) || flight_.pending.is_pending();
   }
   [[nodiscard]] bool come_home(effects& out, instant now) { return homecoming_.advance(out, now); }
   [[nodiscard]] bool halt(effects& out, instant now) { return operators_.halt(out, now); }

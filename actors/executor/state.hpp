@@ -53,10 +53,10 @@ enum class task_kind {
   resume,
   come_home,
   come_home_by_plan, // hold, and then bring the way around the fences and fly it
-  stand_down,        // behind a start that failed
+  stand_down,        // after a start that failed
   stand_by,          // disarmed in its mission mode: into one in which it begins nothing
   await_arming,      // disarmed: into its mission mode, in which its station arms it next
-  free_home          // behind a mission whose home was commanded: arming moves it again
+  free_home          // after a mission whose home was commanded: arming moves it again
 };
 
 GODWIT_ENUM_NAMES(task_kind, deploy, start, hold, resume, come_home, come_home_by_plan, stand_down, stand_by,
@@ -432,7 +432,7 @@ struct durable_core {
   [[nodiscard]] static std::vector<effect> apply(state& s, const event& happened, std::int64_t now_ns);
   // Of earlier versions.
   static constexpr std::array<std::string_view, 1> retired{"executor.marked"};
-  // What progress has to look at is asked for by whoever begins anew (core.hpp), behind the first look at the vehicle.
+  // What progress has to look at is asked for by whoever begins anew (core.hpp), after the first look at the vehicle.
   [[nodiscard]] static std::vector<effect> resume(const state&, std::int64_t) { return {}; }
 };
 

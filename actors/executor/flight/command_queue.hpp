@@ -81,7 +81,7 @@ struct command_queue {
     bring_back = false;
   }
   // Somebody else has the vehicle: all but a hand-back is void.
-  void drop_all_behind_takeover() {
+  void drop_all_after_takeover() {
     drop_words();
     finish_replan = false;
     bring_back = false;

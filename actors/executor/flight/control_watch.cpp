@@ -10,7 +10,7 @@
 
 namespace godwit::executor {
 
-// -- what the vehicle tells -------------------------------------------------------------------------
+// -- what the vehicle reports -----------------------------------------------------------------------
 
 void control_watch::on_mode(instant now) {
   if (flight_.view.is_armed())
@@ -19,7 +19,7 @@ void control_watch::on_mode(instant now) {
     return;
   know_plan_end();
   if (flight_.is_in_flight() && !flight_.view.is_armed())
-    flight_.authority.expect_also(flight_.modes_behind_disarm(), now.now_ns, now.now_ns + flight::order_is_expected_ns);
+    flight_.authority.expect_also(flight_.modes_after_disarm(), now.now_ns, now.now_ns + flight::order_is_expected_ns);
   judge_mode(now);
 }
 
@@ -106,7 +106,7 @@ void control_watch::end_flight() {
 
 // -- who has it -------------------------------------------------------------------------------------
 
-bool control_watch::heed(effects& out, instant now) {
+bool control_watch::check_authority(effects& out, instant now) {
   if (is_close_ && !flight_.is_starting()) {
     is_close_ = false;
     out.emplace_back(watch_vehicle{false});
@@ -119,13 +119,13 @@ bool control_watch::heed(effects& out, instant now) {
     return true;
   }
   if (flight_.s.status.cause == pause_cause::taken_over &&
-      flight_.authority.who() == flight::holder::autopilot_failsafe) { // its words came behind its mode
+      flight_.authority.who() == flight::holder::autopilot_failsafe) { // its text came after its mode
     phases_.go(out, trigger::autopilot_failsafe_acts, "the autopilot's own failsafe acts" + in_its_mode());
     return true;
   }
   if (!is_ours_to_lose || flight_.has_person() || (flight_.is_starting() && GODWIT_PLANTED(repeat_start_over_person)))
     return false;
-  if (!flight_.view.mode()) // not heard: a pilot may have it, and nothing is said again but a stop
+  if (!flight_.view.mode()) // not heard: a pilot may have it, and nothing is repeated but a stop
     return flight_.runner.is_busy() && !flight_.runner.is_stop();
   flight_.authority.on_time(now.now_ns);
   return judge_holder(out);
@@ -162,7 +162,7 @@ void control_watch::drop_all(effects& out, const std::string& why) {
   tasks_.end(out, why);
   if (const auto& start = flight_.wanted.start; start && start->asked)
     tasks_.answer_start(out, start->asked->key, start_verdict::not_ready, why);
-  flight_.wanted.drop_all_behind_takeover();
+  flight_.wanted.drop_all_after_takeover();
 }
 
 // It is not disarmed under somebody else's hands.
@@ -192,7 +192,7 @@ void control_watch::find_taken(effects& out) {
         "somebody has changed the mode in the start in which godwit was restarted" + in_its_mode());
 }
 
-// Said again to a failsafe that may have lost it; whose it is does not change the phase twice.
+// Repeated for a failsafe that may have lost it; who has the vehicle does not change the phase twice.
 void control_watch::give_to_station(effects& out, const station_act& m) {
   const bool is_new = flight_.s.status.cause != pause_cause::taken_over;
   const bool stands = !flight_.is_in_flight() && !flight_.is_starting() && !flight_.view.is_moving();

@@ -20,7 +20,7 @@ public:
   control_watch(flight_context& flight, phase_machine& phases, task_control& tasks)
       : flight_(flight), phases_(phases), tasks_(tasks) {}
 
-  // Of the vehicle, when it has told its mode (HEARTBEAT), its mode and the one that was asked for last
+  // Of the vehicle, when it has reported its mode (HEARTBEAT), its mode and the one that was asked for last
   // (CURRENT_MODE), or its place in the plan.
   void on_mode(instant now);
   void on_current_mode(std::uint32_t intended, instant now);
@@ -37,7 +37,7 @@ public:
   void find_taken(effects& out);
 
   // True: somebody else has just got it, or it is unclear who has it.
-  [[nodiscard]] bool heed(effects& out, instant now);
+  [[nodiscard]] bool check_authority(effects& out, instant now);
   // A station's own message has made it its person's.
   void give_to_station(effects& out, const station_act& m);
   // A start or resume by this station hands it back, and the vehicle is heard.

@@ -110,7 +110,7 @@ bool flight_context::is_copter() const {
 
 bool flight_context::is_left_armed() const { return runner.has_armed() && view.is_armed() && !is_in_air(); }
 
-std::vector<std::uint32_t> flight_context::modes_behind_disarm() const {
+std::vector<std::uint32_t> flight_context::modes_after_disarm() const {
   if (view.owner().autopilot != io::mavlink::mav_autopilot::px4)
     return {};
   auto result = flight::modes_obeying(view.owner(), mode_kind::mission);

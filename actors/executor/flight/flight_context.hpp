@@ -138,7 +138,7 @@ struct flight_context {
   [[nodiscard]] bool plan_has_home() const { return is_ardupilot(); } // as its first item
   [[nodiscard]] bool is_left_armed() const;                           // on the ground, by the task that began last
   // PX4 goes back to its mission mode when it disarms in another one, or holds when the mission is done.
-  [[nodiscard]] std::vector<std::uint32_t> modes_behind_disarm() const;
+  [[nodiscard]] std::vector<std::uint32_t> modes_after_disarm() const;
 
   // -- the end of the plan on the vehicle
   [[nodiscard]] bool is_at_end_of_plan() const;    // MISSION_CURRENT has its last item that moves the vehicle

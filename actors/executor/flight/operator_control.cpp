@@ -101,7 +101,7 @@ std::string operator_control::why_not(const operators::command& m, bool has_look
 
 std::string operator_control::why_not_resume() const {
   const auto& doing = flight_.runner.doing();
-  const bool is_pausing = doing && doing->kind == task_kind::hold; // then it goes on behind that
+  const bool is_pausing = doing && doing->kind == task_kind::hold; // then it goes on after that
   if (flight_.s.status.now != phase::paused && !is_pausing)
     return "the flight is not paused: " + flight_.sentence();
   if (flight_.is_in_flight() && !flight_.view.is_under_way())

@@ -79,7 +79,7 @@ bool recovery::was_taken_in_start() const {
   auto modes = flight::modes_of_start(whose);
   modes.push_back(*doing->mode_before);
   append(modes, flight::modes_obeying(whose, mode_kind::guided));
-  append(modes, flight_.modes_behind_disarm());
+  append(modes, flight_.modes_after_disarm());
   if (const auto stands_in = flight::standing_mode(whose))
     modes.push_back(*stands_in);
   return std::ranges::find(modes, flight_.view.mode()->custom_mode) == modes.end();
@@ -93,7 +93,7 @@ void recovery::recover_on_ground(effects& out, instant now) {
   if (flight_.is_in_flight() && !flight_.has_person()) { // it has come down meanwhile: by itself, or by somebody
     auto modes = left_in(s.doing);
     append(modes, end_of_plan(flight_.view.owner(), s).modes);
-    append(modes, flight_.modes_behind_disarm());
+    append(modes, flight_.modes_after_disarm());
     watch_.resume(std::move(modes), now);
   }
   tasks_.end(out, "godwit was restarted before the vehicle moved");

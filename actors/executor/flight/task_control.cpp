@@ -105,7 +105,7 @@ void task_control::begin_plan(effects& out, const task& doing, deployment brings
   flight_.wanted.set_current_item = false;
   flight_.wanted.finish_replan = flight_.wanted.finish_replan && !doing.goes_on;
   deploying_over_ = flight_.s.progress.last_generation;
-  deploys_behind_end_ = flight_.is_plan_finished();
+  deploys_after_end_ = flight_.is_plan_finished();
   flight_.runner.begin(doing, deploy_steps(flight_, map, doing.goes_on, is_same), std::move(intent));
 }
 
@@ -150,7 +150,7 @@ bool task_control::run(effects& out, instant now) {
 
 // The plan ended before another one could take its place.
 bool task_control::is_pointless(const task& what) const {
-  return what.kind == task_kind::deploy && what.goes_on && flight_.is_plan_finished() && !deploys_behind_end_ &&
+  return what.kind == task_kind::deploy && what.goes_on && flight_.is_plan_finished() && !deploys_after_end_ &&
          !flight_.s.progress.upload && flight_.s.progress.last_generation == deploying_over_;
 }
 

@@ -59,7 +59,7 @@ private:
   flight_context& flight_;
   phase_machine& phases_;
   std::uint32_t deploying_over_ = 0;        // the generation that the deployment under way takes the place of
-  bool deploys_behind_end_ = false;         // the plan before was done already when the deployment began
+  bool deploys_after_end_ = false;          // the plan before was done already when the deployment began
   bool gave_up_order_ = false;              // for a stop; it may still come through
   std::int64_t start_refused_since_ns_ = 0; // the automatic one; 0: it is not
   bool brings_back_ = false;                // the deployment under way: the plan before

@@ -236,7 +236,7 @@ private:
       return;
     for (int i = 0; i < 100; ++i) {
       effects out;
-      if (!recovery_->look(out, now()) && !watch_->heed(out, now()) && !recovery_->resolve(out, now()))
+      if (!recovery_->look(out, now()) && !watch_->check_authority(out, now()) && !recovery_->resolve(out, now()))
         static_cast<void>(tasks_->run(out, now()));
       if (out.empty())
         return;

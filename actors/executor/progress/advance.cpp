@@ -96,13 +96,20 @@ void wait_if_new(decision_context& t, bool was_waiting) {
     t.s.plan->generation.waiting_since_ns = t.now_ns;
 }
 
-// All that moves the vehicle is done, and of an act after it a report may still come.
+// All that moves the vehicle is done.
+bool is_flown(const followed_plan& plan) {
+  return plan.generation.resolved >= items_to_finish(plan.map) && !ends_in_loop(plan.map);
+}
+
+// It is flown, and of an act after it a report may still come.
 bool awaits_last_outcome(const followed_plan& plan) {
-  bool found = false;
-  for (auto i = plan.generation.resolved; i < plan.map.items.size(); ++i)
-    found = found || awaits_outcome(plan, i);
-  return found && !plan.generation.is_finished && plan.generation.resolved >= items_to_finish(plan.map) &&
-         !ends_in_loop(plan.map);
+  const auto& g = plan.generation;
+  if (g.is_finished || !is_flown(plan))
+    return false;
+  for (auto i = g.resolved; i < plan.map.items.size(); ++i)
+    if (awaits_outcome(plan, i))
+      return true;
+  return false;
 }
 
 void finish_or_wait(decision_context& t, bool is_inferred) {
@@ -127,7 +134,7 @@ void adopt_move(decision_context& t) {
 void adopt_complete(decision_context& t) {
   auto& plan = *t.s.plan;
   const auto upto = *std::exchange(plan.generation.complete_upto, std::nullopt);
-  const bool awaited_act = plan.generation.resolved >= items_to_finish(plan.map) && !ends_in_loop(plan.map);
+  const bool awaited_act = is_flown(plan);
   resolve_passed(t, static_cast<std::uint16_t>(upto + 1));
   finish(t, !awaited_act || plan.last_reached < last_movement(plan.map));
   while (plan.generation.resolved < plan.map.items.size())

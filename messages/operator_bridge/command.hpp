@@ -4,6 +4,8 @@
 // Thread: plain values.
 #pragma once
 
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -14,6 +16,9 @@
 namespace godwit::operator_bridge {
 
 inline constexpr std::size_t max_command_id = 64;
+
+// Of who brings a hold or a return: longer than the answer takes; then it goes past operator_bridge, to the executor.
+inline constexpr std::chrono::milliseconds stop_patience{300};
 
 struct operator_command {
   std::string id; // made by the sender, another one for each command that it means; empty: not repeated

@@ -201,7 +201,8 @@ void request_handler::say(const control_request& asked) {
   if (!others_.flight || !others_.bridge)
     return answer_with(asked.ticket, on_the_ground());
   const bool is_stop = operators::is_stop(asked.said.kind);
-  const std::chrono::nanoseconds patience = is_stop ? std::chrono::nanoseconds(stop_timeout) : command_timeout;
+  const std::chrono::nanoseconds patience =
+      is_stop ? std::chrono::nanoseconds(operator_bridge::stop_patience) : command_timeout;
   ask(
       *others_.bridge, patience,
       operator_bridge::operator_command{asked.id, asked.valid_until_ns, speaker(asked), asked.said},

@@ -78,8 +78,6 @@ class request_handler final : public runtime::actor_base<request_handle> {
 public:
   static constexpr std::chrono::seconds answer_timeout{3};  // below that of the socket
   static constexpr std::chrono::seconds command_timeout{4}; // the same; longer than operator_bridge takes
-  // Longer than its answer takes; then the stop goes past it.
-  static constexpr std::chrono::milliseconds stop_timeout{300};
 
   request_handler(runtime::spawn_context context, peers others, std::shared_ptr<response_queue> answers);
   ~request_handler() override;

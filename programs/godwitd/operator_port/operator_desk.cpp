@@ -15,6 +15,10 @@ bool is_stop(const api_request& asked) {
   return asked.what == api_act::command && operators::is_stop(asked.said.what.kind);
 }
 
+bool is_over(const operator_bridge::identity& each, std::int64_t now_ns) {
+  return each.ends_ns != 0 && each.ends_ns <= now_ns;
+}
+
 } // namespace
 
 operator_desk::operator_desk(runtime::spawn_context context, desk_peers others,
@@ -50,7 +54,7 @@ template <class Question, class OnAnswer>
 void operator_desk::ask_bridge(const api_request& asked, std::chrono::milliseconds patience, Question question,
                                OnAnswer on_answer) {
   if (is_stop(asked))
-    patience = stop_timeout;
+    patience = operator_bridge::stop_patience;
   ask(others_.bridge, patience, std::move(question), std::move(on_answer),
       [this, asked, ticket = asked.ticket](const runtime::ask_error& why) {
         if (may_stop(asked))
@@ -80,8 +84,8 @@ void operator_desk::remember(const std::string& token_hash, const operator_bridg
     identified_.erase(token_hash);
     return;
   }
-  std::erase_if(identified_,
-                [&](const auto& each) { return each.second.ends_ns != 0 && each.second.ends_ns <= wall_ns(); });
+  if (identified_.size() == max_identified)
+    std::erase_if(identified_, [now_ns = wall_ns()](const auto& each) { return is_over(each.second, now_ns); });
   if (identified_.size() < max_identified || identified_.contains(token_hash))
     identified_.insert_or_assign(token_hash, who);
 }
@@ -90,7 +94,7 @@ void operator_desk::remember(const std::string& token_hash, const operator_bridg
 bool operator_desk::may_stop(const api_request& asked) {
   const auto found = identified_.find(asked.token_hash);
   return is_stop(asked) && found != identified_.end() && found->second.who.role >= operators::role::operator_ &&
-         (found->second.ends_ns == 0 || found->second.ends_ns > wall_ns());
+         !is_over(found->second, wall_ns());
 }
 
 void operator_desk::stop_directly(const api_request& asked) {
@@ -99,9 +103,7 @@ void operator_desk::stop_directly(const api_request& asked) {
   said.by = who.name;
   const auto what = std::string(io::name_of(said.kind)) + " past operator_bridge";
   const auto end = [this, asked, who, what](const operator_bridge::command_answer& answer) {
-    tell(others_.bridge,
-         operator_bridge::audit_note{who, what, std::string(io::name_of(answer.verdict)), answer.reason});
-    answers_->resolve(asked.ticket, answer_of(asked.said.id, answer));
+    answer_and_note(asked, who, what, answer);
   };
   if (const auto until_ns = asked.said.valid_until_ns;
       said.kind != operators::command_kind::pause && until_ns != 0 && wall_ns() > until_ns)
@@ -190,13 +192,18 @@ void operator_desk::list_points(const api_request& asked) {
       });
 }
 
+// Of what operator_bridge has not written itself.
+void operator_desk::answer_and_note(const api_request& asked, const principal& who, const std::string& what,
+                                    const operator_bridge::command_answer& answer) {
+  tell(others_.bridge, operator_bridge::audit_note{who, what, std::string(io::name_of(answer.verdict)), answer.reason});
+  answers_->resolve(asked.ticket, answer_of(asked.said.id, answer));
+}
+
 // What is no command has its rules. ACT ends with the answer, which is a row of the audit.
 void operator_desk::with_leave(const api_request& asked, const principal& who, const std::string& what,
                                std::function<void(const end_act& end)> act) {
   const auto end = [this, asked, who, what](const operator_bridge::command_answer& answer) {
-    tell(others_.bridge,
-         operator_bridge::audit_note{who, what, std::string(io::name_of(answer.verdict)), answer.reason});
-    answers_->resolve(asked.ticket, answer_of({}, answer));
+    answer_and_note(asked, who, what, answer);
   };
   ask_bridge(asked, answer_timeout, operator_bridge::ask_leave{who, what},
              [this, asked, end, act = std::move(act)](const operator_bridge::leave& answer) {
@@ -231,12 +238,8 @@ void operator_desk::decide_point(const api_request& asked, const principal& who)
 void operator_desk::override_rule(const api_request& asked, const principal& who) {
   const auto what = "override " + std::string(io::name_of(asked.overridden.scope)) + " for " +
                     std::to_string(asked.lasts_s) + " s: " + asked.overridden.reason;
-  if (who.role < operators::role::engineer) {
-    const operator_bridge::command_answer answer{verdict::wrong_role, "an engineer overrides a rule of the failsafe"};
-    tell(others_.bridge,
-         operator_bridge::audit_note{who, what, std::string(io::name_of(answer.verdict)), answer.reason});
-    return answers_->resolve(asked.ticket, answer_of({}, answer));
-  }
+  if (who.role < operators::role::engineer)
+    return answer_and_note(asked, who, what, {verdict::wrong_role, "an engineer overrides a rule of the failsafe"});
   with_leave(asked, who, what, [this, wanted = asked.overridden, lasts_s = asked.lasts_s](const end_act& end) mutable {
     wanted.until_ns = wall_ns() + std::int64_t{lasts_s} * 1'000'000'000;
     ask(

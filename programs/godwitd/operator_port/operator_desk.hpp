@@ -88,9 +88,7 @@ class operator_desk final : public runtime::actor_base<desk_inlet> {
 public:
   static constexpr std::chrono::seconds answer_timeout{2};
   static constexpr std::chrono::seconds command_timeout{4}; // longer than operator_bridge takes
-  // A hold or a return: then it goes past operator_bridge, to the executor.
-  static constexpr std::chrono::milliseconds stop_timeout{300};
-  static constexpr std::size_t max_identified = 64; // as many sessions as operator_bridge keeps, and programs
+  static constexpr std::size_t max_identified = 64;         // as many sessions as operator_bridge keeps, and programs
 
   operator_desk(runtime::spawn_context context, desk_peers others, std::shared_ptr<waiting_answers> answers);
   ~operator_desk() override;
@@ -112,6 +110,8 @@ private:
   void list_points(const api_request& asked);
   void decide_point(const api_request& asked, const operators::principal& who);
   void override_rule(const api_request& asked, const operators::principal& who);
+  void answer_and_note(const api_request& asked, const operators::principal& who, const std::string& what,
+                       const operator_bridge::command_answer& answer);
   using end_act = std::function<void(const operator_bridge::command_answer& answer)>;
   void with_leave(const api_request& asked, const operators::principal& who, const std::string& what,
                   std::function<void(const end_act& end)> act);

@@ -92,19 +92,21 @@ intent_on_disk read_intent(const runtime::recovered& executor, std::int64_t sinc
   executor::state found;
   if (executor.snapshot)
     found = runtime::read_state<durable_core>("executor", *executor.snapshot);
-  intent_on_disk given_up;
+  intent_on_disk result;
+  const auto add_open = [&] {
+    result.brings_plan = result.brings_plan || found.progress.upload.has_value();
+    result.starts = result.starts || found.progress.start.has_value();
+  };
   for (const auto& each : executor.events) {
     if (std::ranges::find(durable_core::retired, each.type) != durable_core::retired.end())
       continue;
     (void)durable_core::apply(found, runtime::read_alternative<durable_core::event>("executor", each.type, each.body),
                               each.at_ns);
-    if (each.at_ns >= since_ns) {
-      given_up.brings_plan = given_up.brings_plan || found.progress.upload.has_value();
-      given_up.starts = given_up.starts || found.progress.start.has_value();
-    }
+    if (each.at_ns >= since_ns)
+      add_open();
   }
-  return {given_up.brings_plan || found.progress.upload.has_value(),
-          given_up.starts || found.progress.start.has_value()};
+  add_open();
+  return result;
 }
 
 } // namespace godwit::drill

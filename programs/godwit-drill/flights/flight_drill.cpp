@@ -250,10 +250,6 @@ int say_end(const drill_book& book, const flight_list& flights, const flight_dri
   return static_cast<int>(exit_code::ok);
 }
 
-} // namespace
-
-namespace {
-
 bool read_whole(std::string_view digits, std::uint64_t& to) {
   const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), to);
   return code == std::errc() && end == digits.data() + digits.size();

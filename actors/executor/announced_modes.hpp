@@ -1,4 +1,4 @@
-// What the failsafe is told beforehand: the modes in which a vehicle may be seen after what follows a guard step.
+// What the failsafe gets beforehand: the modes in which a vehicle may be seen after what follows a guard step.
 //
 // It answers when what it was told is on the disk. So a process that is killed right after the mode leaves one that
 // knows whose it was, and takes nobody for a pilot who is none. Thread: pure.

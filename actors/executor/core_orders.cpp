@@ -88,7 +88,7 @@ effects core::on_late(const order& what, instant now) {
   const auto& doing = flight_.runner.doing();
   const bool moves = doing && (doing->kind == task_kind::start || doing->kind == task_kind::resume ||
                                doing->kind == task_kind::await_arming);
-  // What lets the vehicle move is not said again by itself when the disk writes at last: a person may stand there.
+  // What lets the vehicle move is not repeated by itself when the disk writes at last: a person may stand there.
   return on_unsent(what, "the journal did not write in time",
                    moves ? vehicle_link::command_verdict::invalid : vehicle_link::command_verdict::not_sent, now);
 }

@@ -10,6 +10,15 @@ namespace godwit::executor {
 
 namespace transfer = vehicle_link::transfer;
 
+namespace {
+
+void withdraw_at_failsafe(const task_runner::world& w, std::vector<std::uint32_t> modes) {
+  if (!modes.empty())
+    w.out.emplace_back(say_to_failsafe{failsafe::expect_mode{std::move(modes), 0, true}});
+}
+
+} // namespace
+
 // -- whether it may go out --------------------------------------------------------------------------
 
 intended_order task_runner::intended(const world& w) const {
@@ -166,11 +175,13 @@ void task_runner::announce_modes(const world& w) {
         say_to_failsafe{failsafe::expect_mode{std::move(modes), flight::order_is_expected_ns / 1'000'000}});
 }
 
-// Nothing goes out in these modes: whoever is seen in one is somebody else.
 void task_runner::withdraw_announced(const world& w) {
-  auto modes = announced_modes(task_->kind, way_, at_, w.view.owner());
-  if (!modes.empty())
-    w.out.emplace_back(say_to_failsafe{failsafe::expect_mode{std::move(modes), 0, true}});
+  withdraw_at_failsafe(w, announced_modes(task_->kind, way_, at_, w.view.owner()));
+}
+
+void task_runner::withdraw(const world& w, std::vector<std::uint32_t> modes) {
+  w.authority.withdraw(modes);
+  withdraw_at_failsafe(w, std::move(modes));
 }
 
 } // namespace godwit::executor

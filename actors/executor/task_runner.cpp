@@ -25,14 +25,6 @@ progress::start_intended start_at(const vehicle_view& view, std::uint16_t sequen
   return {sequence, view.says_incomplete(), !view.current() || view.current()->seq > sequence};
 }
 
-// No order of ours brings the vehicle into these modes any more: whoever is seen in one is somebody else.
-void withdraw(const task_runner::world& w, std::vector<std::uint32_t> modes) {
-  if (modes.empty())
-    return;
-  w.authority.withdraw(modes);
-  w.out.emplace_back(say_to_failsafe{failsafe::expect_mode{std::move(modes), 0, true}});
-}
-
 } // namespace
 
 // -- a task -----------------------------------------------------------------------------------------

@@ -1,8 +1,7 @@
 // Runs the steps of one task, one after the other. What each kind of step sends and waits for, and its limits, are the
 // tables of step_rules.hpp.
 //
-//   begin ──> proving ──> noting ──applied──> observing ──> sent ──answer──> confirming ──done──> closing ──applied──>
-//   next
+//   begin ──> proving ──> noting ──applied──> observing ──> sent ──answer──> confirming ──done──> closing ──> next
 //     ^   (flies a plan) (the intent)          (moves)       │                  │               (its end)
 //     └──────────────────── pausing <─────────not done───────┴─────not done─────┘
 //
@@ -149,6 +148,8 @@ private:
   [[nodiscard]] std::optional<vehicle_link::seen_state> known(const world& w) const;
   void announce_modes(const world& w);
   void withdraw_announced(const world& w);
+  // No order brings the vehicle into these modes any more: whoever is seen in one is somebody else.
+  static void withdraw(const world& w, std::vector<std::uint32_t> modes);
 
   // -- task_uploads.cpp
   void begin_upload(const world& w);

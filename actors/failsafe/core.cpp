@@ -379,7 +379,8 @@ void core::return_without_plan(const std::string& why, effects& out) {
                            deed_of(what) + ", and its return " + where_it_returns() + "; no plan is flown: " + why});
 }
 
-// After a return some vehicles hold by themselves, and a person may hold there too: neither is told to return again.
+// After a return some vehicles hold by themselves, and a person may hold there too: neither is commanded to return
+// again.
 bool core::follows_what_is_wanted() const {
   const auto& current = reaction_.current();
   if (!current)

@@ -3,10 +3,10 @@
 // A mission that was refused is asked for again each minute, a map whose pull failed after 30 s, then in growing pauses
 // up to 5 minutes, until it is synced, a flight begins or an operator accepts the copy from before; an operator's
 // `pull` asks at once. A mission that the service has deleted is not asked for again. Nothing is asked in flight. What
-// is said is lost with a crash of either actor, and is said again.
+// is said is lost with a crash of either actor, and is repeated.
 //
 // Without a mission of its own the service is asked for the vehicle's next one, as soon as none is under way, and again
-// each minute: mission_client knows whether it is asked already. What is over is told with it, so that no mission is
+// each minute: mission_client knows whether it is asked already. What is over is named with it, so that no mission is
 // begun again by itself. Pure. Thread: one at a time.
 #pragma once
 

@@ -1,9 +1,9 @@
 // What the autopilot says in words, as lines of the log: "the vehicle reports: PreArm: Compass not calibrated". So
 // people read it where they read everything else: in the journal of systemd, on the page of operators, in a bundle.
 //
-// Autopilots repeat what holds on, and can be made to say any number of things. The same text is told once in
-// repeat_ns, at most max_lines in window_ns, and how many were left out is told after that. Texts for developers of
-// the autopilot (MAV_SEVERITY_DEBUG) are left out. Nothing is done because of a text. Pure; thread: one owner.
+// Autopilots repeat what holds on, and can be made to say any number of things. The same text is announced once in
+// repeat_ns, at most max_lines in window_ns, and how many were left out is announced after that. Texts for developers
+// of the autopilot (MAV_SEVERITY_DEBUG) are left out. Nothing is done because of a text. Pure; thread: one owner.
 #pragma once
 
 #include <cstddef>

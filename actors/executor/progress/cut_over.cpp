@@ -38,7 +38,7 @@ std::vector<mapped_item> left_out(const state& s, const pending_upload& upload) 
   return result;
 }
 
-// Nothing that is told after a way home is progress of the mission.
+// Nothing that is heard after a way home is progress of the mission.
 void end_mission(decision_context& t) {
   take(t, mission_aborted{});
   t.s.paused = pause_reason::aborted;

@@ -181,7 +181,8 @@ void px4::begin_mission() {
   announce_mission();
 }
 
-// After the return of a mission, too: it is finished as that begins. Who is told where to go on meanwhile goes there.
+// After the return of a mission, too: it is finished as that begins. A vehicle that gets another item meanwhile goes
+// there.
 void px4::refuse_finished_mission() {
   say_tabbed(mav_severity::critical, "No valid mission available, loitering");
   holds_at_ns_ = now().world_ns + holds_after_ns;

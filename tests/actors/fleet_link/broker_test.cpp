@@ -239,7 +239,7 @@ TEST_F(fleet_link_broker, the_limits_of_a_broker_are_kept_to_and_events_reach_it
                        "max_inflight_messages 3");
   tests::watcher watcher(broker.port());
   vehicle rover(journal(), settings_for(broker), 1);
-  EXPECT_TRUE(rover.was_told("set the broker so that it retains messages", 30s)) << rover.all_told();
+  EXPECT_TRUE(rover.was_told("let the broker retain messages", 30s)) << rover.all_told();
   for (std::uint32_t items = 1; items <= 200; ++items)
     rover.progress(items);
   EXPECT_TRUE(watcher.wait_for([](const heard& all) {

@@ -45,13 +45,14 @@ Exit codes: 0 success, 1 failure, 2 an error on the command line or in the confi
 72 a person has to look at the files on disk before it is restarted.)";
 
 constexpr const char* convert_examples = R"(Formats, by the ending: .json (godwit), .plan (QGroundControl),
-.waypoints and .txt (QGC WPL 110), .geojson.
+.waypoints and .txt (QGC WPL 110), .geojson; .kml (map programs) is only read.
 
 Examples:
   godwitd convert survey.plan survey.json
   godwitd convert survey.json survey.geojson
   godwitd convert old.waypoints mission.json --allow-partial
   godwitd convert field.waypoints mission.json --for arducopter
+  godwitd convert path.kml path.plan --altitude 40
 
 Exit codes: 0 converted, 1 nothing was written: the file can not be read, is no mission, or something of it can not be
 carried over; 2 an ending that means no format.)";
@@ -328,6 +329,8 @@ void add_convert(CLI::App& app, invocation& to) {
   convert->add_option("OUT", to.files.out, "Where to write it; an existing file is replaced")->required();
   convert->add_option("--for", to.files.vehicle, "The vehicle that is to fly it (as the .plan says)")
       ->check(CLI::IsMember(vehicle_names()));
+  convert->add_option("--altitude", to.files.altitude_m, "Metres above home, where a .kml has no heights")
+      ->type_name("M");
   convert->footer(convert_examples);
   convert->callback([&to] { to.what = task::convert; });
 }

@@ -59,7 +59,7 @@ inline constexpr std::array option_rows{
                "The key of our own certificate (PEM); mode 0600"},
     option_row{"proxy", "/service/proxy", option_kind::text, "URL", "Reaches the service through this proxy"},
     option_row{"mission", "/mission/file", option_kind::text, "FILE",
-               "A mission from a file instead: .json, .plan, .waypoints or .txt (QGC WPL 110), .geojson"},
+               "A mission from a file instead: .json, .plan, .waypoints or .txt (QGC WPL 110), .geojson, .kml"},
     option_row{"allow-partial", "/mission/allow_partial", option_kind::flag, "",
                "Takes a file of which not everything can be carried over"},
     option_row{"vehicle", "/vehicle/uri", option_kind::text, "URI",

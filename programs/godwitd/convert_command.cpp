@@ -54,8 +54,7 @@ tl::expected<void, std::string> write_file(const std::string& file, const std::s
 std::optional<mission::mission_format> format_of(const std::string& file) {
   auto format = mission::format_of_name(file);
   if (!format)
-    say(file + ": this ending means no format; known are .json (godwit), .plan (QGroundControl), .waypoints and .txt "
-               "(QGC WPL 110), .geojson");
+    say(file + ": this ending means no format; known are " + mission::known_endings);
   return format;
 }
 
@@ -102,6 +101,7 @@ exit_code run_convert(const convert_arguments& given, bool allow_partial) {
   mission::import_options options{allow_partial, {}};
   if (!given.vehicle.empty())
     options.vehicle = io::value_of<mission::vehicle_profile>(given.vehicle);
+  options.altitude_m = given.altitude_m;
   const auto result = mission::convert(*text, *from, *to, options);
   if (!result)
     return fail(explained(given.in, result.error()));

@@ -9,6 +9,7 @@
 // ending that means no format. Thread: the caller's; blocks on the disk.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <tl/expected.hpp>
@@ -21,7 +22,8 @@ namespace godwit::daemon {
 struct convert_arguments {
   std::string in;
   std::string out;
-  std::string vehicle{}; // a vehicle_profile; empty: as far as the file says it
+  std::string vehicle{};              // a vehicle_profile; empty: as far as the file says it
+  std::optional<double> altitude_m{}; // above home, of places without heights
 };
 
 [[nodiscard]] runtime::exit_code run_convert(const convert_arguments& given, bool allow_partial);

@@ -125,7 +125,7 @@ checked read_source(const json& configuration, daemon_settings& to) {
       return wrong("mission", "a mission comes from a file or from a service, not from both: leave this out, or "
                               "--service and --mission-id");
     if (!mission::format_of_name(to.mission_file))
-      return wrong("mission", to.mission_file + " has none of the endings .json, .plan, .waypoints, .txt, .geojson");
+      return wrong("mission", to.mission_file + " has none of the endings " + mission::known_endings);
     return {};
   }
   if (service.base_url.empty() && to.mission_id.empty() && stations_may_bring(configuration, to))

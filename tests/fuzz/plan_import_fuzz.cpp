@@ -19,7 +19,7 @@ using namespace godwit::mission;
 }
 
 constexpr mission_format formats[] = {mission_format::plan, mission_format::geojson, mission_format::waypoints,
-                                      mission_format::json};
+                                      mission_format::json, mission_format::kml};
 
 void check(std::string_view text, mission_format format) {
   const auto partial = import_mission(text, format, {true, {}});
@@ -34,6 +34,8 @@ void check(std::string_view text, mission_format format) {
   if (whole.has_value() != partial->losses.empty())
     finding("a loss that was allowed by default, or none that was refused");
   for (const auto to : formats) {
+    if (!is_written(to))
+      continue;
     const auto written = export_mission(partial->mission, to);
     // A file of lines without items, which is what surveys alone come to, is no mission.
     const bool is_whole = to != mission_format::waypoints && written.losses.empty();

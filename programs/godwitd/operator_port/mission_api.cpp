@@ -53,7 +53,7 @@ tl::expected<checked_mission, server_response> read_mission(const server_request
     return refused(problem(415, "the body is the file, as application/octet-stream"));
   const auto format = io::value_of<mission::mission_format>(of_query(asked.target, "format"));
   if (!format)
-    return refused(problem(400, "a format is missing: json, plan, waypoints or geojson", "format"));
+    return refused(problem(400, "a format is missing: json, plan, waypoints, geojson or kml", "format"));
   auto read = mission::import_mission(
       asked.body, *format,
       {.allow_partial = of_query(asked.target, "partial") == "yes", .mission_id = fresh_id(), .allowed = allowed});

@@ -1,5 +1,5 @@
 // Missions from a browser: POST /api/v1/missions and /api/v1/missions/check, with the text of the file as the body
-// (application/octet-stream) and ?format=json, plan, waypoints or geojson; &partial=yes takes what can be taken.
+// (application/octet-stream) and ?format=json, plan, waypoints, geojson or kml; &partial=yes takes what can be taken.
 //
 //   check: {"mission": ..., "losses": [{"item", "what", "why", "instead", "line"}]}, or 422 with all that is wrong
 //   else: the same, and then it goes to mission_desk, which says whether it is taken

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include "tests/programs/godwitd/scratch.hpp"
 
@@ -29,6 +30,21 @@ TEST(convert_command, our_form_survives_the_way_through_each_other_one) {
     ASSERT_TRUE(before && after) << other;
     EXPECT_EQ(before->mission.items.size(), after->mission.items.size()) << other;
   }
+}
+
+TEST(convert_command, a_path_of_a_map_program_gets_the_altitude_of_the_command_line) {
+  const scratch folder;
+  const auto in = folder.file("path.kml");
+  std::ofstream(in) << "<kml><Placemark><LineString><coordinates>8.5455,47.3977 8.5465,47.3987</coordinates>"
+                       "</LineString></Placemark></kml>";
+  const auto out = folder.file("path.json");
+  convert_arguments given{in, out};
+  EXPECT_EQ(run_convert(given, false), exit_code::failed);
+  given.altitude_m = 40;
+  ASSERT_EQ(run_convert(given, false), exit_code::ok);
+  const auto written = load_mission_file(out, false);
+  ASSERT_TRUE(written);
+  EXPECT_EQ(std::get<mission::waypoint>(written->mission.items[1]).at.altitude_m, 40);
 }
 
 TEST(convert_command, what_can_not_be_carried_over_is_refused_and_nothing_is_written) {

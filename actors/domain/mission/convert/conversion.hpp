@@ -20,9 +20,10 @@ struct import_options {
   bool allow_partial = false;               // take what can be taken; else a loss is an error
   std::optional<std::string> mission_id;    // UUID; absent: made from the text, so that a file always has the same
   std::optional<vehicle_profile> vehicle{}; // who is to fly it; absent: as far as the file says it
-  bool fence_alone = false;   // what holds a fence and no items is taken: to be written again, nobody flies it
-  allowed_commands allowed{}; // flight.allowed_commands
-  bool keeps_unknown = false; // properties that the importer does not know are no losses
+  bool fence_alone = false;           // what holds a fence and no items is taken: to be written again, nobody flies it
+  allowed_commands allowed{};         // flight.allowed_commands
+  std::optional<double> altitude_m{}; // above home, where a file has places without heights (KML)
+  bool keeps_unknown = false;         // properties that the importer does not know are no losses
 };
 
 struct imported {

@@ -8,6 +8,7 @@
 
 #include "actors/domain/mission/convert/geojson_export.hpp"
 #include "actors/domain/mission/convert/geojson_import.hpp"
+#include "actors/domain/mission/convert/kml_import.hpp"
 #include "actors/domain/mission/convert/plan_export.hpp"
 #include "actors/domain/mission/convert/plan_import.hpp"
 #include "actors/domain/mission/convert/waypoints_export.hpp"
@@ -35,7 +36,7 @@ exported export_json(const document& mission) {
 struct format_row {
   mission_format format;
   import_result (*import)(std::string_view text, const import_options& options);
-  exported (*write)(const document& mission);
+  exported (*write)(const document& mission); // null: it is only read
 };
 
 constexpr std::array formats{
@@ -43,6 +44,7 @@ constexpr std::array formats{
     format_row{mission_format::plan, import_plan, export_plan},
     format_row{mission_format::waypoints, import_waypoints, export_waypoints},
     format_row{mission_format::geojson, import_geojson, export_geojson},
+    format_row{mission_format::kml, import_kml, nullptr},
 };
 
 const format_row& row_of(mission_format format) {
@@ -58,7 +60,7 @@ constexpr std::array endings{
     ending_row{".json", mission_format::json},           ending_row{".plan", mission_format::plan},
     ending_row{".waypoints", mission_format::waypoints}, ending_row{".txt", mission_format::waypoints},
     ending_row{".mission", mission_format::plan},        ending_row{".fen", mission_format::waypoints},
-    ending_row{".geojson", mission_format::geojson},
+    ending_row{".geojson", mission_format::geojson},     ending_row{".kml", mission_format::kml},
 };
 
 tl::unexpected<conversion_error> not_written(std::string what, std::string allowed, std::string_view text) {
@@ -95,10 +97,14 @@ import_result import_mission(std::string_view text, mission_format from, const i
   return row_of(from).import(text, options);
 }
 
+bool is_written(mission_format format) { return row_of(format).write != nullptr; }
+
 exported export_mission(const document& mission, mission_format to) { return row_of(to).write(mission); }
 
 tl::expected<exported, conversion_error> convert(std::string_view text, mission_format from, mission_format to,
                                                  const import_options& options) {
+  if (!is_written(to))
+    return not_written("can not be written as KML, which has no items", ".json, .plan, .waypoints or .geojson", text);
   auto reading = options;
   reading.fence_alone = true;
   if (from == mission_format::plan && to == mission_format::plan)

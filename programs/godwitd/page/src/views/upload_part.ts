@@ -22,8 +22,8 @@ export function upload_part(all: page): TemplateResult {
   const may = all.me !== undefined && all.me.role !== "viewer" && all.control?.is_yours === true;
   const mission = uploader.checked?.mission;
   return html`<div class="upload">
-    <label class="drop">Drop a mission here, or choose one: .plan, .waypoints, .geojson, .json
-      <input id="mission-file" type="file" accept=".plan,.waypoints,.txt,.geojson,.json" @change=${choose}></label>
+    <label class="drop">Drop a mission here, or choose one: .plan, .waypoints, .geojson, .kml, .json
+      <input id="mission-file" type="file" accept=".plan,.waypoints,.txt,.geojson,.kml,.json" @change=${choose}></label>
     ${uploader.taken === "" ? nothing : html`<p class="taken" role="status">${uploader.taken}</p>`}
     ${mission === undefined ? nothing : html`<p><b>${uploader.name}</b>: ${mission.items.length} items,
         ${mission.geofences.length} fence${mission.geofences.length === 1 ? "" : "s"}. It is drawn on the map.</p>`}

@@ -22,7 +22,7 @@ TEST(convert, the_format_is_known_by_the_ending_of_the_name) {
   EXPECT_EQ(format_of_name("B.PLAN"), mission_format::plan);
   EXPECT_EQ(format_of_name("old.mission"), mission_format::plan);
   EXPECT_EQ(format_of_name("field.fen"), mission_format::waypoints);
-  EXPECT_EQ(format_of_name("b.kml"), std::nullopt);
+  EXPECT_EQ(format_of_name("b.kmz"), std::nullopt);
   EXPECT_EQ(format_of_name("plan"), std::nullopt);
 }
 

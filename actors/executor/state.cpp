@@ -203,12 +203,13 @@ durable_effects take(state& s, const station_plan_taken& happened, std::int64_t)
 // On the ground the mission is one with this fence now; one that flies keeps its own.
 durable_effects take(state& s, const station_fence_taken& happened, std::int64_t) {
   s.station_fences = happened.fences;
+  s.station_breach_return_point = happened.breach_return_point;
   const auto* uploaded = uploaded_mission(s);
   if (uploaded == nullptr || is_flight_begun(s))
     return {};
   auto fenced = *uploaded;
   fenced.revision = ++s.station->revision;
-  mission::put_fences(fenced, happened.fences);
+  mission::put_fences(fenced, happened.fences, happened.breach_return_point);
   s.arrived = std::move(fenced);
   return {};
 }

@@ -276,7 +276,8 @@ struct station_plan_taken {
 // Its fence, which counts for its plans from now on; none: it was cleared.
 struct station_fence_taken {
   std::vector<mission::geofence> fences;
-  GODWIT_FIELDS(station_fence_taken, "executor.station_fence_taken", fences);
+  std::optional<mission::position> breach_return_point;
+  GODWIT_FIELDS(station_fence_taken, "executor.station_fence_taken", fences, breach_return_point);
 };
 
 // Its rally points, which go to the vehicle with its plans; none: they were cleared.
@@ -365,6 +366,7 @@ struct state {
   std::vector<mission::item> set_aside;       // by go_to: what the mission had left
   std::optional<station_plan> station;
   std::vector<mission::geofence> station_fences;
+  std::optional<mission::position> station_breach_return_point;
   std::vector<io::mavlink::mission_item_int> station_rally;
   brought_last_line last_line;
   std::optional<deployment> brings; // of the upload under way
@@ -387,21 +389,23 @@ struct state {
   std::string deleted_mission; // the last one of which the service has said so
 
   static constexpr int version = 1;
-  static constexpr auto fields = io::table(
-      "executor.state", io::field("mission", &state::mission), io::field("arrived", &state::arrived),
-      io::field("waiting", &state::waiting), io::field("assigned", &state::assigned),
-      io::field("last_assignment", &state::last_assignment), io::field("cut_off_uploads", &state::cut_off_uploads),
-      io::field("commanded", &state::commanded), io::field("change", &state::change),
-      io::field("flown_changes", &state::flown_changes), io::field("is_arrived_ours", &state::is_arrived_ours),
-      io::field("set_aside", &state::set_aside), io::field("station", &state::station),
-      io::field("station_fences", &state::station_fences), io::field("station_rally", &state::station_rally),
-      io::field("last_line", &state::last_line), io::field("brings", &state::brings), io::field("flown", &state::flown),
-      io::field("doing", &state::doing), io::field("last_task", &state::last_task),
-      io::field("standing", &state::status), io::field("person", &state::person),
-      io::field("awaits_word", &state::awaits_word), io::field("awaits_person", &state::awaits_person),
-      io::field("home", &state::home), io::field("has_commanded_home", &state::has_commanded_home),
-      io::field("preflight", &state::preflight), io::field("progress", &state::progress),
-      io::field("supervision", &state::supervision), io::field("deleted_mission", &state::deleted_mission));
+  static constexpr auto fields =
+      io::table("executor.state", io::field("mission", &state::mission), io::field("arrived", &state::arrived),
+                io::field("waiting", &state::waiting), io::field("assigned", &state::assigned),
+                io::field("last_assignment", &state::last_assignment),
+                io::field("cut_off_uploads", &state::cut_off_uploads), io::field("commanded", &state::commanded),
+                io::field("change", &state::change), io::field("flown_changes", &state::flown_changes),
+                io::field("is_arrived_ours", &state::is_arrived_ours), io::field("set_aside", &state::set_aside),
+                io::field("station", &state::station), io::field("station_fences", &state::station_fences),
+                io::field("station_breach_return_point", &state::station_breach_return_point),
+                io::field("station_rally", &state::station_rally), io::field("last_line", &state::last_line),
+                io::field("brings", &state::brings), io::field("flown", &state::flown),
+                io::field("doing", &state::doing), io::field("last_task", &state::last_task),
+                io::field("standing", &state::status), io::field("person", &state::person),
+                io::field("awaits_word", &state::awaits_word), io::field("awaits_person", &state::awaits_person),
+                io::field("home", &state::home), io::field("has_commanded_home", &state::has_commanded_home),
+                io::field("preflight", &state::preflight), io::field("progress", &state::progress),
+                io::field("supervision", &state::supervision), io::field("deleted_mission", &state::deleted_mission));
 };
 
 // From the decision to start on.

@@ -59,7 +59,7 @@ std::optional<station_plan_taken> part_of_plan(const state& s, const item_range&
     items.insert(items.begin(), whole.items[*take_off]);
     result.plan.places.insert(result.plan.places.begin(), places[*take_off]);
   }
-  mission::put_fences(result.mission, s.station_fences);
+  mission::put_fences(result.mission, s.station_fences, s.station_breach_return_point);
   const bool is_whole = wanted.first == 0 && wanted.last + 1 >= s.station->items;
   result.plan.part = is_whole ? std::nullopt : std::optional(station_part{wanted.first, wanted.last, whole, places});
   return result;

@@ -1,6 +1,7 @@
 // The version of the contract that a mission states, when something is added to it. Thread: pure.
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -21,8 +22,9 @@ inline void raise_version(document& value) {
 }
 
 // Fences that come on their own take the place of those that the mission has.
-inline void put_fences(document& value, std::vector<geofence> fences) {
+inline void put_fences(document& value, std::vector<geofence> fences, std::optional<position> breach_return_point) {
   value.geofences = std::move(fences);
+  value.breach_return_point = breach_return_point;
   raise_version(value);
 }
 

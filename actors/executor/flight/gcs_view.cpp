@@ -25,15 +25,6 @@ bool is_same(const ground_port::mission_progress& a, const ground_port::mission_
          a.is_sent_elsewhere == b.is_sent_elsewhere;
 }
 
-// Files of ArduPilot's stations begin with the place where a breach leads. godwit's returns lead where the mission
-// says.
-std::vector<io::mavlink::mission_item_int> without_return_point(std::vector<io::mavlink::mission_item_int> items) {
-  std::erase_if(items, [](const auto& each) {
-    return each.command == io::mavlink::number(io::mavlink::mav_cmd::nav_fence_return_point);
-  });
-  return items;
-}
-
 // After a flight that ended under its person: the start has given the vehicle back, and says that it goes on.
 bool prepare_again(flight_context& flight) {
   if (!flight.wanted.hand_back || flight.is_in_flight() || flight.s.status.now != phase::paused)
@@ -69,8 +60,9 @@ bool gcs_view::counts(const plan_taken& m) const {
     return flies_upload(flight_.s) && flight_.s.station->plan_id == m.plan_id; // and nobody has changed it since
   if (m.type == mav_mission_type::rally)
     return io::mavlink::checksum_of(m.items) == io::mavlink::checksum_of(flight_.s.station_rally);
-  const auto fences = mission::import_fence_list(without_return_point(m.items));
-  return fences && *fences == flight_.s.station_fences;
+  const auto fence = mission::import_fence_list(m.items);
+  return fence && fence->geofences == flight_.s.station_fences &&
+         fence->breach_return_point == flight_.s.station_breach_return_point;
 }
 
 effects gcs_view::on_cleared(const plan_cleared& m, bool has_looked, instant now) {
@@ -121,7 +113,9 @@ tl::expected<mission::imported_list, mission::conversion_error> gcs_view::import
   options.allow_partial = flight_.configured.allow_partial;
   options.vehicle = flight_.view.profile();
   options.allowed = flight_.configured.allowed_commands;
-  options.geofences = flown != nullptr ? flown->geofences : flight_.s.station_fences;
+  options.fence = {flight_.s.station_fences, flight_.s.station_breach_return_point};
+  if (flown != nullptr)
+    options.fence = {flown->geofences, flown->breach_return_point};
   auto taken = mission::import_item_list(std::span(m.items).subspan(begins_with_home(m.items) ? 1 : 0), options);
   if (taken && flown != nullptr)
     taken->mission.revision = flown->revision + 1;
@@ -169,22 +163,18 @@ gcs_view::verdict gcs_view::take_plan(effects& out, const plan_taken& m, bool ha
 effects gcs_view::take_fence(const std::vector<io::mavlink::mission_item_int>& items) {
   if (auto elsewhere = flight_.who_else_brings_missions(); !elsewhere.empty())
     return items.empty() ? effects{} : not_taken("fences come from " + elsewhere + " here");
-  const auto borders = without_return_point(items);
-  auto fences = mission::import_fence_list(borders);
-  if (!fences)
-    return {announce{"the fence is not taken: " + fences.error(), true}};
+  auto fence = mission::import_fence_list(items);
+  if (!fence)
+    return {announce{"the fence is not taken: " + fence.error(), true}};
   if (const auto* uploaded = uploaded_mission(flight_.s)) {
     auto fenced = *uploaded;
-    mission::put_fences(fenced, *fences);
+    mission::put_fences(fenced, fence->geofences, fence->breach_return_point);
     if (const auto problems = mission::broken_rules(fenced); !problems.empty())
       return {announce{"the fence is not taken: " + problems.front().message(), true}};
   }
-  effects out{note{station_fence_taken{*std::move(fences)}}};
+  effects out{note{station_fence_taken{std::move(fence->geofences), fence->breach_return_point}}};
   if (is_flight_begun(flight_.s))
     out.emplace_back(announce{"the fence counts from the next flight on", true});
-  if (borders.size() != items.size())
-    out.emplace_back(
-        announce{"the fence is used without its return point: returns lead to the return point of the mission", true});
   return out;
 }
 

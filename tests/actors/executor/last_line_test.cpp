@@ -78,6 +78,16 @@ TEST_P(last_line_of, a_fence_that_is_cleared_alone_is_cleared_on_the_vehicle_bef
   EXPECT_FALSE(was_said(world, "the vehicle keeps the fence")) << world.story();
 }
 
+TEST_P(last_line_of, the_point_to_which_a_breach_leads_goes_to_the_vehicle_with_its_fence) {
+  auto fence = fence_around(GetParam(), 500);
+  auto point = tests::waypoint_at(GetParam(), 0, 0);
+  point.command = io::mavlink::number(io::mavlink::mav_cmd::nav_fence_return_point);
+  fence.push_back(point);
+  world.station_says(taken(tests::numbered(fence), mav_mission_type::fence));
+  ASSERT_TRUE(bring(world, items));
+  ASSERT_TRUE(comes_to_have(5)) << world.story();
+}
+
 TEST_P(last_line_of, what_somebody_else_has_put_there_is_left_alone_where_the_mission_has_none) {
   ASSERT_TRUE(bring(world, items));
   world.run_for(2);
@@ -153,7 +163,7 @@ TEST_P(last_line_of, the_fences_of_a_service_go_there_too_unless_it_is_set_other
   for (const bool is_set : {true, false}) {
     flight_world other({.who = GetParam(), .start = start_policy::on_command, .brings_last_line = is_set});
     auto mission = tests::short_mission(GetParam());
-    mission.geofences = *mission::import_fence_list(fence_around(GetParam(), 500));
+    mission.geofences = mission::import_fence_list(fence_around(GetParam(), 500))->geofences;
     other.load(mission);
     ASSERT_TRUE(other.run_until_phase(phase::ready)) << other.story();
     other.run_for(5);
@@ -166,7 +176,7 @@ TEST_P(last_line_of, several_inclusions_of_a_mission_stay_with_godwit_and_that_i
   flight_world other({.who = GetParam(), .start = start_policy::on_command});
   auto mission = tests::short_mission(GetParam());
   for (const double half_side_m : {500.0, 600.0})
-    mission.geofences.push_back(mission::import_fence_list(fence_around(GetParam(), half_side_m))->front());
+    mission.geofences.push_back(mission::import_fence_list(fence_around(GetParam(), half_side_m))->geofences.front());
   other.load(mission);
   ASSERT_TRUE(other.run_until_phase(phase::ready)) << other.story();
   other.run_for(5);

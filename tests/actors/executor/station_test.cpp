@@ -411,17 +411,21 @@ TEST_P(flight_by_station, a_circle_is_a_fence_before_and_after_the_plan) {
 }
 
 // As MAVProxy uploads a .fen file, and as ArduPilot takes it.
-TEST_P(flight_by_station, a_fence_is_taken_without_the_return_point_that_it_begins_with_and_that_is_said) {
+TEST_P(flight_by_station, a_fence_keeps_the_point_to_which_a_breach_leads_until_a_fence_without_one_comes) {
   flight_world world(by_stations(GetParam()));
+  ASSERT_TRUE(bring(world, station_items(GetParam())));
   auto items = fence_around(GetParam(), 150);
   auto point = tests::waypoint_at(GetParam(), 0, 0);
   point.command = number(mav_cmd::nav_fence_return_point);
   items.insert(items.begin(), point);
   world.station_says(taken(tests::numbered(items), mav_mission_type::fence));
-  ASSERT_FALSE(world.judged().empty());
   EXPECT_EQ(world.judged().back().verdict, ground_port::plan_verdict::taken) << world.story();
-  EXPECT_EQ(world.durable().station_fences.size(), 1U);
-  EXPECT_TRUE(was_said(world, "without its return point")) << world.story();
+  const auto has_point = [&] { return world.durable().mission->breach_return_point.has_value(); };
+  ASSERT_TRUE(world.run_until([&] { return !world.durable().mission->geofences.empty(); }, 20)) << world.story();
+  EXPECT_TRUE(has_point()) << world.story();
+  world.station_says(taken(fence_around(GetParam(), 150), mav_mission_type::fence));
+  ASSERT_TRUE(world.run_until([&] { return !has_point(); }, 20)) << world.story();
+  EXPECT_EQ(world.durable().mission->geofences.size(), 1U);
 }
 
 TEST_P(flight_by_station, what_is_changed_in_flight_is_shown_as_the_vehicle_has_it) {

@@ -74,7 +74,8 @@ tl::expected<imported_list, conversion_error> import_item_list(std::span<const m
   document mission;
   mission.mission_id = options.mission_id;
   mission.items = std::move(importer.items());
-  mission.geofences = options.geofences;
+  mission.geofences = options.fence.geofences;
+  mission.breach_return_point = options.fence.breach_return_point;
   const source_map places{std::move(importer.places()), {}, {}, !items.empty()};
   auto checked = finished(mission, std::move(losses), {options.allow_partial, {}}, source_text(items), places);
   if (!checked)
@@ -84,10 +85,17 @@ tl::expected<imported_list, conversion_error> import_item_list(std::span<const m
   return result;
 }
 
-tl::expected<std::vector<geofence>, std::string> import_fence_list(std::span<const mission_item_int> items) {
-  std::vector<geofence> result;
+tl::expected<imported_fence_list, std::string> import_fence_list(std::span<const mission_item_int> items) {
+  imported_fence_list result;
   for (std::size_t i = 0; i < items.size();) {
     const auto& first = items[i];
+    if (first.command == io::mavlink::number(io::mavlink::mav_cmd::nav_fence_return_point)) {
+      const auto point = vehicle_item_of(first);
+      result.breach_return_point =
+          position{point.latitude(), point.longitude(), std::isfinite(point.altitude_m()) ? point.altitude_m() : 0};
+      ++i;
+      continue;
+    }
     const auto where = "item " + std::to_string(first.seq) + " of the fence ";
     geofence next{kind_of(first), {}, {}, {}};
     if (is_circle(first)) {
@@ -111,7 +119,7 @@ tl::expected<std::vector<geofence>, std::string> import_fence_list(std::span<con
     } else {
       return tl::unexpected(where + "is neither a corner nor a circle (" + command_name(first.command) + ")");
     }
-    result.push_back(std::move(next));
+    result.geofences.push_back(std::move(next));
   }
   return result;
 }

@@ -23,10 +23,15 @@ namespace godwit::mission {
 // Positions in degrees, whatever the item has.
 [[nodiscard]] vehicle_item vehicle_item_of(const io::mavlink::mission_item_int& each);
 
+struct imported_fence_list {
+  std::vector<geofence> geofences;
+  std::optional<position> breach_return_point; // where a breach leads the vehicle, as it knows it
+};
+
 struct item_list_options {
   std::string mission_id;     // UUID
   bool allow_partial = false; // take what can be taken; else a loss is an error
-  std::vector<geofence> geofences;
+  imported_fence_list fence{};
   std::optional<vehicle_profile> vehicle; // who is to fly it; absent: any
   allowed_commands allowed;
 };
@@ -41,7 +46,7 @@ struct imported_list {
 import_item_list(std::span<const io::mavlink::mission_item_int> uploaded, const item_list_options& options);
 
 // Errors: a sentence for people.
-[[nodiscard]] tl::expected<std::vector<geofence>, std::string>
+[[nodiscard]] tl::expected<imported_fence_list, std::string>
 import_fence_list(std::span<const io::mavlink::mission_item_int> items);
 
 } // namespace godwit::mission

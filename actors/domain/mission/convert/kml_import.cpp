@@ -171,12 +171,12 @@ private:
                        "IN OUT --altitude M`, metres above home");
       if (number_ == max_items)
         return fail_at(each.line, "comes after " + std::to_string(max_items) + " places, the most of a mission");
-      vehicle_item item{.number = number_++, .command = command::waypoint, .frame = frame::global_relative};
+      vehicle_item next{.number = number_++, .command = command::waypoint, .frame = frame::global_relative};
       if (has_heights)
-        item.frame = mode_ == "absolute" ? frame::global : frame_of_terrain;
-      item.params = {0, 0, 0, not_given, each.latitude, each.longitude, *altitude_m};
-      item.place = "line " + std::to_string(each.line);
-      importer_.take(item);
+        next.frame = mode_ == "absolute" ? frame::global : frame_of_terrain;
+      next.params = {0, 0, 0, not_given, each.latitude, each.longitude, *altitude_m};
+      next.place = "line " + std::to_string(each.line);
+      importer_.take(next);
     }
   }
 

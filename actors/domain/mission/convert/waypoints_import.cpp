@@ -59,26 +59,13 @@ tl::unexpected<conversion_error> failed(std::string place, std::string what, std
       conversion_error{bounded({document_errc::wrong_form, {{std::move(place), std::move(what), {}}}}, text), {}});
 }
 
+bool is_return_point(const io::mavlink::mission_item_int& each) {
+  return each.command == io::mavlink::number(mav_cmd::nav_fence_return_point);
+}
+
 position place_of_line(const io::mavlink::mission_item_int& each) {
   const auto item = vehicle_item_of(each);
   return {item.latitude(), item.longitude(), item.altitude_m()};
-}
-
-// The point of return is taken out of LINES.
-std::optional<position> take_return_point(plan_lines& lines) {
-  std::optional<position> found;
-  plan_lines kept;
-  for (std::size_t i = 0; i < lines.items.size(); ++i) {
-    const auto& each = lines.items[i];
-    if (each.command == io::mavlink::number(mav_cmd::nav_fence_return_point)) {
-      found = place_of_line(each);
-      continue;
-    }
-    kept.items.push_back(each);
-    kept.lines.push_back(lines.lines[i]);
-  }
-  lines = std::move(kept);
-  return found;
 }
 
 // Heights above home, as their vehicles read them.
@@ -97,18 +84,19 @@ import_result import_rally_file(const plan_lines& lines, const import_options& o
   return finished(mission, std::move(losses), options, text);
 }
 
-import_result import_fence_file(plan_lines lines, const import_options& options, std::string_view text) {
-  const auto return_point = take_return_point(lines);
-  auto fences = import_fence_list(lines.items);
-  if (!fences)
-    return failed({}, "holds a fence, and " + fences.error(), text);
+import_result import_fence_file(const plan_lines& lines, const import_options& options, std::string_view text) {
+  auto fence = import_fence_list(lines.items);
+  if (!fence)
+    return failed({}, "holds a fence, and " + fence.error(), text);
   document mission;
   mission.mission_id = options.mission_id.value_or(uuid_of_text(text));
-  mission.geofences = *std::move(fences);
-  mission.breach_return_point = return_point;
+  mission.geofences = std::move(fence->geofences);
+  mission.breach_return_point = fence->breach_return_point;
   source_map places;
   std::size_t first = 0;
   for (const auto& each : mission.geofences) {
+    while (is_return_point(lines.items.at(first)))
+      ++first;
     places.geofences.push_back({"line " + std::to_string(lines.lines.at(first)), {}});
     first += each.circle ? 1 : each.vertices.size();
   }
@@ -147,7 +135,7 @@ import_result import_waypoints(std::string_view text, const import_options& opti
   if (!lines->items.empty() && std::ranges::all_of(lines->items, is_rally_point))
     return import_rally_file(*lines, options, text);
   if (!lines->items.empty() && std::ranges::all_of(lines->items, is_of_fence))
-    return import_fence_file(*std::move(lines), options, text);
+    return import_fence_file(*lines, options, text);
   return import_item_lines(*lines, options, text);
 }
 

@@ -162,14 +162,31 @@ TEST(import_fence_list, polygons_are_runs_of_corners_and_circles_become_polygons
   items.back().param1 = 25;
   const auto result = import_fence_list(items);
   ASSERT_TRUE(result.has_value()) << result.error();
-  ASSERT_EQ(result->size(), 3U);
-  EXPECT_EQ((*result)[0].kind, fence_kind::inclusion);
-  EXPECT_EQ((*result)[0].vertices.size(), 4U);
-  EXPECT_EQ((*result)[1].kind, fence_kind::exclusion);
-  EXPECT_EQ((*result)[1].vertices.size(), 3U);
-  EXPECT_EQ((*result)[1].vertices[0], (vertex{47.397742, 8.545994}));
-  EXPECT_EQ((*result)[2].vertices.size(), 32U);
-  EXPECT_TRUE(import_fence_list({})->empty());
+  ASSERT_EQ(result->geofences.size(), 3U);
+  EXPECT_EQ(result->geofences[0].kind, fence_kind::inclusion);
+  EXPECT_EQ(result->geofences[0].vertices.size(), 4U);
+  EXPECT_EQ(result->geofences[1].kind, fence_kind::exclusion);
+  EXPECT_EQ(result->geofences[1].vertices.size(), 3U);
+  EXPECT_EQ(result->geofences[1].vertices[0], (vertex{47.397742, 8.545994}));
+  EXPECT_EQ(result->geofences[2].vertices.size(), 32U);
+  EXPECT_EQ(result->breach_return_point, std::nullopt);
+  EXPECT_TRUE(import_fence_list({})->geofences.empty());
+}
+
+// As MAVProxy uploads a .fen file; QGroundControl has it at the end.
+TEST(import_fence_list, the_point_to_which_a_breach_leads_is_kept_wherever_it_stands) {
+  for (const bool is_first : {true, false}) {
+    auto items = corners(0, mav_cmd::nav_fence_polygon_vertex_inclusion, 4);
+    auto point = item_of(4, mav_cmd::nav_fence_return_point);
+    point.z = std::numeric_limits<float>::quiet_NaN();
+    items.insert(is_first ? items.begin() : items.end(), point);
+    const auto result = import_fence_list(items);
+    ASSERT_TRUE(result.has_value()) << result.error();
+    EXPECT_EQ(result->geofences.size(), 1U);
+    ASSERT_TRUE(result->breach_return_point.has_value());
+    EXPECT_EQ(result->breach_return_point->latitude, point.x * 1e-7);
+    EXPECT_EQ(result->breach_return_point->altitude_m, 0);
+  }
 }
 
 TEST(import_fence_list, what_is_no_fence_is_refused_and_named) {

@@ -24,4 +24,3 @@ install(PROGRAMS packaging/godwit-demo DESTINATION "${CMAKE_INSTALL_BINDIR}")
 
 install(FILES README.md CHANGELOG.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 install(DIRECTORY packaging/prometheus packaging/grafana DESTINATION "${CMAKE_INSTALL_DOCDIR}/examples")
-install(DIRECTORY docs DESTINATION "${CMAKE_INSTALL_DOCDIR}")

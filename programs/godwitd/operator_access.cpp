@@ -69,6 +69,7 @@ operator_port::route_list operator_access::shown_routes(runtime::process& host, 
   add_to(routes, stream_api_->routes());
   add_to(routes, log_api_->routes());
   add_to(routes, camera_routes(from, host.time()));
+  add_to(routes, operator_port::document_routes(wanted.docs));
   add_to(routes, tile_routes_of(wanted, [say](const std::string& sentence) { say(sentence, true); }));
   return routes;
 }

@@ -264,6 +264,7 @@ checked read_operators(const json& given, const std::string& journal, daemon_set
   to.operators = *std::move(listen);
   to.operators->hosts = *std::move(hosts);
   to.operators->tiles = text(given, "tiles");
+  to.operators->docs = text(given, "docs");
   to.operators->uses_tls = !to.operators->is_local || given.at("tls").get<bool>();
   to.operators->certificate_file = text(given, "certificate");
   to.operators->key_file = text(given, "key");

@@ -2,9 +2,14 @@
 
 #include <array>
 #include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
 #include <memory>
 #include <span>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -183,6 +188,86 @@ route_list tile_routes(const std::shared_ptr<tile_file>& from) {
     answer.send({200, from->content_type(), *std::move(picture), {{"Cache-Control", kept_by_browsers}}});
   };
   return {{"GET", "/api/v1/tiles", 0, describe}, {"GET", "/tiles/{}/{}/{}", 0, show}};
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t max_files = 5'000;             // the site has some 300
+constexpr std::uintmax_t max_file_bytes = 8U << 20U; // its largest picture has less than 1 MiB
+constexpr const char* first_page = "/docs/index.html";
+
+// The styles stand in the pages.
+constexpr const char* documents_policy =
+    "default-src 'none'; style-src 'unsafe-inline'; img-src 'self'; frame-ancestors 'none'; "
+    "base-uri 'none'; form-action 'none'";
+
+struct type_of_ending {
+  std::string_view ending;
+  const char* content_type;
+};
+constexpr std::array document_types{type_of_ending{".html", "text/html; charset=utf-8"},
+                                    type_of_ending{".png", "image/png"},
+                                    type_of_ending{".svg", "image/svg+xml"},
+                                    type_of_ending{".gif", "image/gif"},
+                                    type_of_ending{".jpg", "image/jpeg"},
+                                    type_of_ending{".webp", "image/webp"},
+                                    type_of_ending{".json", "application/json"}};
+
+const char* content_type_of(const std::string& ending) {
+  for (const auto& each : document_types)
+    if (each.ending == ending)
+      return each.content_type;
+  return "text/plain; charset=utf-8"; // sources of the tree, to which documents lead
+}
+
+using file_table = std::map<std::string, fs::path, std::less<>>; // by the path of the request
+
+file_table files_in(const fs::path& folder) {
+  file_table result;
+  std::error_code failed;
+  fs::recursive_directory_iterator each(folder, fs::directory_options::skip_permission_denied, failed);
+  for (; !failed && each != fs::end(each) && result.size() < max_files; each.increment(failed))
+    if (fs::symlink_status(each->path(), failed).type() == fs::file_type::regular)
+      result.emplace("/docs/" + each->path().lexically_relative(folder).generic_string(), each->path());
+  return result;
+}
+
+std::optional<std::string> text_of(const fs::path& file) {
+  std::error_code failed;
+  if (const auto size = fs::file_size(file, failed); failed || size > max_file_bytes)
+    return std::nullopt;
+  std::ifstream stream(file, std::ios::binary);
+  std::string result{std::istreambuf_iterator<char>(stream), {}};
+  return stream.bad() || !stream.is_open() ? std::nullopt : std::optional(std::move(result));
+}
+
+server_response document_at(const file_table& files, std::string_view path) {
+  const auto found = files.find(path);
+  auto text = found == files.end() ? std::nullopt : text_of(found->second);
+  if (text)
+    return {200,
+            content_type_of(found->second.extension().string()),
+            *std::move(text),
+            {{"Content-Security-Policy", documents_policy}, {"Cache-Control", "no-cache"}}};
+  return io::http::problem_response(
+      404, files.empty() ? "The documents are not installed: install godwit-doc, or make them with ./dev docs and name "
+                           "their folder in operator.docs."
+                         : "There is no such document.");
+}
+
+} // namespace
+
+route_list document_routes(const std::string& folder) {
+  const auto files = std::make_shared<const file_table>(folder.empty() ? file_table{} : files_in(folder));
+  const auto begin = [](const server_request&, responder answer) {
+    answer.send({302, "text/plain; charset=utf-8", {}, {{"Location", first_page}}});
+  };
+  const auto show = [files](const server_request& asked, responder answer) {
+    answer.send(document_at(*files, path_of(asked.target)));
+  };
+  return {{"GET", "/docs", 0, begin}, {"GET", "/docs/", 0, begin}, {"GET", "/docs/*", 0, show}};
 }
 
 } // namespace godwit::operator_port

@@ -54,4 +54,9 @@ private:
 
 [[nodiscard]] route_list tile_routes(const std::shared_ptr<tile_file>& from);
 
+// The documents as pages: GET /docs/... from FOLDER, which `./dev docs` or the package godwit-doc has made. What lies
+// in it when this is called can be asked for, and nothing else: no link is followed out of it, and a path is compared
+// as a whole. The pages run no scripts. Of a folder that is not there they answer where the documents are to be had.
+[[nodiscard]] route_list document_routes(const std::string& folder);
+
 } // namespace godwit::operator_port

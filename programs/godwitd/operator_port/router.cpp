@@ -23,6 +23,8 @@ std::string_view take_segment(std::string_view& rest) {
 }
 
 bool matches(std::string_view pattern, std::string_view path) {
+  if (pattern.ends_with("/*"))
+    return path.starts_with(pattern.substr(0, pattern.size() - 1));
   if (std::ranges::count(pattern, '/') != std::ranges::count(path, '/'))
     return false;
   while (!pattern.empty() || !path.empty()) {

@@ -23,6 +23,7 @@ struct settings {
   std::string identity_file = {}; // made when it is not there
 
   std::string tiles = {}; // an MBTiles file for the page's map; empty: none
+  std::string docs = {};  // the folder of the documents as pages
 
   // A browser opens up to seven connections for a page: three pages of one computer, and a program beside them.
   std::size_t max_clients = 48;

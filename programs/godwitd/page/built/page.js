@@ -168,6 +168,7 @@ var yc=Object.create;var ll=Object.defineProperty;var wc=Object.getOwnPropertyDe
     <span class="grow"></span>
     ${n.me===void 0?q:A`<span class="me" id="me">${n.me.name} <small>${n.me.role}</small></span>
       <button class="plain" type="button" @click=${()=>void n.log_out()}>log out</button>`}
+    <a class="plain" id="documents" href="/docs/" target="_blank" rel="noopener">docs</a>
     <button class="plain" type="button" id="mute" aria-pressed=${n.is_muted} @click=${()=>n.set_muted(!n.is_muted)}>${n.is_muted?"sound off":"sound on"}</button>
     <span class="themes" role="group" aria-label="Light">${Vd.map(c=>A`<button class="plain" type="button" id="theme-${c}"
       aria-pressed=${n.theme===c} @click=${()=>n.set_theme(c)}>${c}</button>`)}</span>

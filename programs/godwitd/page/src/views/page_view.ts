@@ -33,6 +33,7 @@ function top_bar(all: page): TemplateResult {
     <span class="grow"></span>
     ${all.me === undefined ? nothing : html`<span class="me" id="me">${all.me.name} <small>${all.me.role}</small></span>
       <button class="plain" type="button" @click=${() => void all.log_out()}>log out</button>`}
+    <a class="plain" id="documents" href="/docs/" target="_blank" rel="noopener">docs</a>
     <button class="plain" type="button" id="mute" aria-pressed=${all.is_muted} @click=${() => all.set_muted(!all.is_muted)}>${all.is_muted ? "sound off" : "sound on"}</button>
     <span class="themes" role="group" aria-label="Light">${themes.map((each) => html`<button class="plain" type="button" id="theme-${each}"
       aria-pressed=${all.theme === each} @click=${() => all.set_theme(each)}>${each}</button>`)}</span>

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "actors/executor/flight/survey_view.hpp"
+#include "actors/executor/flight/watches/survey_view.hpp"
 #include "actors/executor/people_views.hpp"
 #include "actors/executor/remaining.hpp"
 #include "actors/executor/scan_sentences.hpp"

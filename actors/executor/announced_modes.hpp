@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "actors/domain/flight_mode/flight_modes.hpp"
-#include "actors/executor/steps.hpp"
+#include "actors/executor/tasks/steps.hpp"
 
 namespace godwit::executor {
 

@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "actors/mission_client/keys.hpp"
+#include "actors/mission_client/outbox/keys.hpp"
 #include "io/fields/json_text.hpp"
 #include "runtime/content_hash.hpp"
 

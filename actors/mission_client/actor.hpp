@@ -14,8 +14,8 @@
 
 #include "actors/mission_client/clock_watch.hpp"
 #include "actors/mission_client/core.hpp"
+#include "actors/mission_client/outbox/recorded_answer.hpp"
 #include "actors/mission_client/planner.hpp"
-#include "actors/mission_client/recorded_answer.hpp"
 #include "actors/mission_client/service_port.hpp"
 #include "actors/mission_client/settings.hpp"
 #include "messages/mapobjects_store/handle.hpp"

@@ -2,8 +2,8 @@
 
 #include "actors/domain/mission/read.hpp"
 #include "actors/domain/mission/write.hpp"
-#include "actors/mission_client/keys.hpp"
-#include "actors/mission_client/map_rows.hpp"
+#include "actors/mission_client/outbox/keys.hpp"
+#include "actors/mission_client/outbox/map_rows.hpp"
 #include "runtime/assert.hpp"
 
 namespace godwit::mission_client {

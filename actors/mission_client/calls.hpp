@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "actors/mission_client/outbox.hpp"
+#include "actors/mission_client/outbox/outbox.hpp"
 #include "actors/mission_client/service_port.hpp"
 #include "actors/mission_client/settings.hpp"
 #include "messages/mapobjects_store/types.hpp"

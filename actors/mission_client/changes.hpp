@@ -3,7 +3,7 @@
 #pragma once
 
 #include "actors/mission_client/events.hpp"
-#include "actors/mission_client/outbox.hpp"
+#include "actors/mission_client/outbox/outbox.hpp"
 #include "actors/mission_client/response_queue.hpp"
 
 namespace godwit::mission_client {

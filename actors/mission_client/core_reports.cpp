@@ -10,7 +10,7 @@
 #include "actors/domain/mission/version.hpp"
 #include "actors/domain/mission/write.hpp"
 #include "actors/mission_client/decision_context.hpp"
-#include "actors/mission_client/keys.hpp"
+#include "actors/mission_client/outbox/keys.hpp"
 #include "runtime/assert.hpp"
 #include "runtime/planted_bug.hpp"
 

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "actors/mission_client/outbox.hpp"
+#include "actors/mission_client/outbox/outbox.hpp"
 #include "actors/mission_client/state.hpp"
 #include "io/fields/field_table.hpp"
 #include "messages/mission_client/types.hpp"

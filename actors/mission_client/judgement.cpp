@@ -1,7 +1,7 @@
 #include "actors/mission_client/judgement.hpp"
 
 #include "actors/domain/mission/read.hpp"
-#include "actors/mission_client/outbox.hpp"
+#include "actors/mission_client/outbox/outbox.hpp"
 
 namespace godwit::mission_client {
 

@@ -13,9 +13,9 @@
 #include <string_view>
 
 #include "actors/mission_client/asking_next.hpp"
-#include "actors/mission_client/backlog.hpp"
-#include "actors/mission_client/deliveries.hpp"
 #include "actors/mission_client/fetching.hpp"
+#include "actors/mission_client/outbox/backlog.hpp"
+#include "actors/mission_client/outbox/deliveries.hpp"
 #include "actors/mission_client/planning_context.hpp"
 #include "actors/mission_client/polling.hpp"
 #include "actors/mission_client/pulling.hpp"

@@ -5,7 +5,7 @@
 #include "actors/domain/mission/read.hpp"
 #include "actors/mission_client/calls.hpp"
 #include "actors/mission_client/judgement.hpp"
-#include "actors/mission_client/map_rows.hpp"
+#include "actors/mission_client/outbox/map_rows.hpp"
 
 namespace godwit::mission_client {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "actors/mission_client/keys.hpp"
+#include "actors/mission_client/outbox/keys.hpp"
 
 namespace godwit::mission_client {
 

@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "actors/mission_client/outbox.hpp"
+#include "actors/mission_client/outbox/outbox.hpp"
 #include "io/fields/field_table.hpp"
 #include "messages/mission_client/types.hpp"
 

@@ -1,6 +1,6 @@
 // What the journal and the trace keep of this actor: its JSON and binary forms (runtime/define_message.hpp).
 #include "actors/mission_client/events.hpp"
-#include "actors/mission_client/recorded_answer.hpp"
+#include "actors/mission_client/outbox/recorded_answer.hpp"
 #include "actors/mission_client/state.hpp"
 #include "runtime/define_message.hpp"
 

@@ -21,9 +21,9 @@
 #include "actors/executor/flight/pending_commands.hpp"
 #include "actors/executor/plan/builder.hpp"
 #include "actors/executor/settings.hpp"
-#include "actors/executor/task_runner.hpp"
+#include "actors/executor/tasks/task_runner.hpp"
+#include "actors/executor/tasks/way_around.hpp"
 #include "actors/executor/view.hpp"
-#include "actors/executor/way_around.hpp"
 #include "messages/executor/known_missions.hpp"
 
 namespace godwit::executor {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "actors/executor/flight/control_watch.hpp"
+#include "actors/executor/flight/watches/control_watch.hpp"
 
 namespace godwit::executor {
 

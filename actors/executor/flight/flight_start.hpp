@@ -2,10 +2,10 @@
 // Pure. Thread: one at a time.
 #pragma once
 
-#include "actors/executor/flight/control_watch.hpp"
-#include "actors/executor/flight/part_choice.hpp"
 #include "actors/executor/flight/preparation.hpp"
-#include "actors/executor/flight/start_by_arming.hpp"
+#include "actors/executor/flight/stations/part_choice.hpp"
+#include "actors/executor/flight/stations/start_by_arming.hpp"
+#include "actors/executor/flight/watches/control_watch.hpp"
 
 namespace godwit::executor {
 

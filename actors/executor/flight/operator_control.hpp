@@ -2,9 +2,9 @@
 // what is under way, and wait for nothing. Pure. Thread: one at a time.
 #pragma once
 
-#include "actors/executor/flight/control_watch.hpp"
 #include "actors/executor/flight/homecoming.hpp"
 #include "actors/executor/flight/plan_changes.hpp"
+#include "actors/executor/flight/watches/control_watch.hpp"
 
 namespace godwit::executor {
 

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "actors/executor/flight/energy_control.hpp"
 #include "actors/executor/flight/service_view.hpp"
 #include "actors/executor/flight/task_control.hpp"
+#include "actors/executor/flight/watches/energy_control.hpp"
 #include "actors/executor/preflight/facts.hpp"
 #include "actors/executor/preflight/report.hpp"
 

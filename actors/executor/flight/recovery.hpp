@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "actors/executor/flight/control_watch.hpp"
+#include "actors/executor/flight/watches/control_watch.hpp"
 
 namespace godwit::executor {
 

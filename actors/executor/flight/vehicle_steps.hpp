@@ -9,7 +9,7 @@
 #pragma once
 
 #include "actors/executor/flight/flight_context.hpp"
-#include "actors/executor/steps.hpp"
+#include "actors/executor/tasks/steps.hpp"
 
 namespace godwit::executor {
 

@@ -33,7 +33,7 @@ enum class access { looking, open };
 
 struct route {
   std::string_view method; // GET answers HEAD as well
-  std::string_view path;   // without the query; a segment {} stands for any one: "/api/v1/operators/{}", a * for the rest
+  std::string_view path; // without the query; a segment {} stands for any one: "/api/v1/operators/{}", a * for the rest
   std::size_t max_body_bytes = 0;
   std::function<void(server_request asked, responder answer)> handle;
   access who = access::looking;

@@ -1,4 +1,4 @@
-#include "actors/executor/step_rules.hpp"
+#include "actors/executor/tasks/step_rules.hpp"
 
 #include <set>
 #include <string>

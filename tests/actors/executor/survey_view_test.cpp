@@ -1,4 +1,4 @@
-#include "actors/executor/flight/survey_view.hpp"
+#include "actors/executor/flight/watches/survey_view.hpp"
 
 #include <gtest/gtest.h>
 

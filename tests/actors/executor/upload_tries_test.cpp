@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "actors/executor/upload_tries.hpp"
+#include "actors/executor/tasks/upload_tries.hpp"
 #include "tests/actors/executor/flight_world.hpp"
 
 namespace godwit::executor {

@@ -1,6 +1,6 @@
 // Whom an operator calls home or sends elsewhere keeps to the fences, and to the margin that was promised: by the track
 // of the simulated vehicle.
-#include "actors/executor/way_around.hpp"
+#include "actors/executor/tasks/way_around.hpp"
 
 #include <algorithm>
 #include <iostream>

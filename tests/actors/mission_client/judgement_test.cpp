@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "actors/mission_client/outbox.hpp"
+#include "actors/mission_client/outbox/outbox.hpp"
 
 namespace judgement_test {
 

@@ -1,4 +1,4 @@
-#include "actors/mission_client/keys.hpp"
+#include "actors/mission_client/outbox/keys.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "actors/mission_client/map_rows.hpp"
+#include "actors/mission_client/outbox/map_rows.hpp"
 
 #include <gtest/gtest.h>
 

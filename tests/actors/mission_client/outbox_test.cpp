@@ -1,4 +1,4 @@
-#include "actors/mission_client/outbox.hpp"
+#include "actors/mission_client/outbox/outbox.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "actors/mission_client/recorded_answer.hpp"
+#include "actors/mission_client/outbox/recorded_answer.hpp"
 
 #include <algorithm>
 #include <string>

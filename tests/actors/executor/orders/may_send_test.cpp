@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "actors/executor/steps.hpp"
+#include "actors/executor/tasks/steps.hpp"
 #include "actors/vehicle_link/order_check.hpp"
 
 namespace godwit::executor {

@@ -1,4 +1,4 @@
-#include "actors/executor/flight/track.hpp"
+#include "actors/executor/flight/watches/track.hpp"
 
 #include <gtest/gtest.h>
 

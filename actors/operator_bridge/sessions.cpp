@@ -14,11 +14,15 @@ principal principal_of(const session& each) { return {each.who.name, each.who.ro
 // A program speaks by its account, and not in a session.
 std::string session_of_token(const account& who) { return "token:" + who.name; }
 
-const account* find_account(const std::optional<std::vector<account>>& accounts, const std::string& name) {
-  if (!accounts)
-    return nullptr;
-  const auto found = std::ranges::find(*accounts, name, &account::name);
-  return found == accounts->end() ? nullptr : &*found;
+const account* find_account(const std::vector<account>& accounts, const std::string& name) {
+  const auto found = std::ranges::find(accounts, name, &account::name);
+  return found == accounts.end() ? nullptr : &*found;
+}
+
+bool is_program(const principal& by, const std::vector<account>& accounts) {
+  const auto* const found = find_account(accounts, by.name);
+  return found != nullptr && !found->token_hash.empty() && session_of_token(*found) == by.session &&
+         found->role == by.role;
 }
 
 } // namespace
@@ -105,8 +109,9 @@ identity sessions::find(effects& out, const identify& m, instant now) {
     touch(out, found->id, now);
     return {true, principal_of(*found), found->opened_ns + set_.session_most_s * ns_per_s};
   }
-  if (accounts_)
-    if (const auto found = std::ranges::find(*accounts_, m.token_hash, &account::token_hash); found != accounts_->end())
+  if (s_.accounts)
+    if (const auto found = std::ranges::find(*s_.accounts, m.token_hash, &account::token_hash);
+        found != s_.accounts->end())
       return {true, {found->name, found->role, session_of_token(*found)}, 0};
   return {};
 }
@@ -125,9 +130,7 @@ bool sessions::is_alive(const principal& by, instant now) const {
     return true;
   if (const auto found = std::ranges::find(s_.sessions, by.session, &session::id); found != s_.sessions.end())
     return principal_of(*found) == by && !is_over(*found, now);
-  const auto* const program = find_account(accounts_, by.name);
-  return program != nullptr && !program->token_hash.empty() && session_of_token(*program) == by.session &&
-         program->role == by.role;
+  return s_.accounts && is_program(by, *s_.accounts);
 }
 
 std::optional<principal> sessions::named(const std::string& name, instant now) const {
@@ -138,20 +141,21 @@ std::optional<principal> sessions::named(const std::string& name, instant now) c
 }
 
 void sessions::on_accounts(effects& out, const accounts_read& m, instant now) {
-  for (const auto& each : accounts_.value_or(std::vector<account>()))
+  for (const auto& each : s_.accounts.value_or(std::vector<account>()))
     if (const auto* const now_as = find_account(m.list, each.name);
         !each.token_hash.empty() &&
         (now_as == nullptr || now_as->token_hash != each.token_hash || now_as->role != each.role))
       out.emplace_back(session_over{session_of_token(each)});
-  accounts_ = m.list;
+  if (s_.accounts != m.list)
+    out.emplace_back(note{m});
   for (const auto& each : s_.sessions) {
     if (each.who.stamp.empty()) // by a link: it belongs to no account
       continue;
-    const auto* const as = find_account(accounts_, each.who.name);
+    const auto* const as = find_account(m.list, each.who.name);
     if (as == nullptr || as->stamp != each.who.stamp || as->role != each.who.role)
       end(out, each, "log out, because the account has changed", now);
   }
-  if (s_.control && s_.control->who.session.starts_with("token:") && !is_alive(s_.control->who, now))
+  if (s_.control && s_.control->who.session.starts_with("token:") && !is_program(s_.control->who, m.list))
     control_.free_session(out, s_.control->who.session, now);
 }
 

@@ -57,8 +57,7 @@ private:
   const state& s_;
   audit& audit_;
   control& control_;
-  std::optional<std::vector<account>> accounts_; // none: not read yet, and the sessions count as they are
-  std::map<std::string, std::int64_t> used_ns_;  // by the session, wall clock; newer than what is written
+  std::map<std::string, std::int64_t> used_ns_; // by the session, wall clock; newer than what is written
 };
 
 } // namespace godwit::operator_bridge

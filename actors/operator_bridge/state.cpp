@@ -81,6 +81,8 @@ void put(state& s, const link_dropped& m, std::int64_t) {
   std::erase_if(s.links, [&](const auto& each) { return each.hash == m.hash; });
 }
 
+void put(state& s, const accounts_read& m, std::int64_t) { s.accounts = m.list; }
+
 } // namespace
 
 std::vector<durable_core::effect> durable_core::apply(state& s, const event& happened, std::int64_t at_ns) {

@@ -117,20 +117,21 @@ struct state {
   std::uint64_t last_command = 0;
   std::uint64_t last_session = 0;
   std::uint64_t last_row = 0;
-  std::vector<kept_command> commands; // the oldest first, bounded by max_kept_commands
-  std::vector<session> sessions;      // bounded by max_sessions
-  std::vector<link> links;            // bounded by max_links
+  std::vector<kept_command> commands;           // the oldest first, bounded by max_kept_commands
+  std::vector<session> sessions;                // bounded by max_sessions
+  std::vector<link> links;                      // bounded by max_links
+  std::optional<std::vector<account>> accounts; // none: not read yet, and the sessions count as they are
   std::optional<control_holder> control;
   std::vector<audit_row> unmoved;   // of an older version: still to be written to the table
   static constexpr int version = 2; // 1: with the rows of the audit
   GODWIT_FIELDS(state, "operator_bridge.state", last_command, last_session, last_row, commands, sessions, links,
-                control, unmoved);
+                control, unmoved, accounts);
 };
 
 struct durable_core {
   using state = operator_bridge::state;
   using event = std::variant<command_kept, command_ended, audited, rows_moved, control_changed, session_opened,
-                             session_used, session_closed, link_made, link_dropped>;
+                             session_used, session_closed, link_made, link_dropped, accounts_read>;
   using effect = std::variant<command_answer>; // none comes of a fact: the shell answers
 
   [[nodiscard]] static std::vector<effect> apply(state& s, const event& happened, std::int64_t at_ns);

@@ -98,6 +98,8 @@ TEST(operator_sessions, a_program_comes_with_the_token_of_its_account) {
   desk.execute(desk.decides().on_accounts({{{"planner", role::operator_, "stamp", "hash of its token"}}}, desk.now));
   const auto program = who_is(desk, "hash of its token").who;
   EXPECT_EQ(program.name, "planner");
+  desk.crash();
+  EXPECT_EQ(who_is(desk, "hash of its token").who, program) << "who reads the accounts tells them when they change";
   EXPECT_TRUE(desk.control(program, control_act::take).is_done);
   EXPECT_EQ(desk.say_all_the_way(desk.command(program, operators::command_kind::start)), verdict::taken);
   desk.execute(desk.decides().on_accounts({}, desk.now));

@@ -247,7 +247,7 @@ void core::lose_plan(effects& out, trigger what, instant now) {
   flight_.wanted.go_on = false;
   start_.refuse(out, why);
   phases_.go(out, what);
-  if (flies_it && flight_.is_left_armed() && !flight_.is_in_flight())
+  if (flies_it && flight_.may_disarm() && !flight_.is_in_flight())
     tasks_.begin(out, task_kind::stand_down, {disarm{}});
 }
 

@@ -80,7 +80,7 @@ core::release core::lets_out(const order& what, instant now) {
   if (allowed != permission::may)
     return release::outdated;
   if (!what.expected.empty())
-    flight_.authority.expect(what.expected, now.now_ns + flight::order_is_expected_ns);
+    flight_.authority.expect(what.expected, now.now_ns, now.now_ns + flight::order_is_expected_ns);
   return release::now;
 }
 

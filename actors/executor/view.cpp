@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "actors/domain/control_authority/control_authority.hpp"
 #include "actors/domain/control_authority/mode_tables.hpp"
 #include "actors/domain/geo/geodesic.hpp"
 #include "actors/domain/vehicle_text/vehicle_text.hpp"
@@ -53,8 +54,10 @@ std::optional<mission::vehicle_profile> vehicle_view::profile() const {
 void vehicle_view::take(const vehicle_link::connection_changed& m) {
   phase_ = m.phase;
   reason_ = m.reason;
-  if (!is_connected())
-    mode_.reset(); // what it does meanwhile is not known
+  if (!is_connected()) { // what it does meanwhile is not known
+    mode_.reset();
+    is_ground_told_ = false;
+  }
 }
 
 void vehicle_view::take(const io::mavlink::heartbeat& m, std::int64_t now_ns) {
@@ -66,6 +69,9 @@ void vehicle_view::take(const io::mavlink::heartbeat& m, std::int64_t now_ns) {
   is_armed_ = io::mavlink::is_armed(m);
   is_critical_ = m.system_status == io::mavlink::number(io::mavlink::mav_state::critical);
   ++heartbeats_;
+  if (heartbeat_ns_ == 0 || now_ns - heartbeat_ns_ > flight::silence_ns)
+    unbroken_since_ns_ = now_ns;
+  heartbeat_ns_ = now_ns;
 }
 
 void vehicle_view::take(const io::mavlink::current_mode& m) {
@@ -96,6 +102,7 @@ void vehicle_view::take(const io::mavlink::home_position& m, std::int64_t now_ns
 
 void vehicle_view::take(const io::mavlink::extended_sys_state& m) {
   landed_ = static_cast<mav_landed_state>(m.landed_state);
+  is_ground_told_ = true;
 }
 
 void vehicle_view::take(const io::mavlink::mission_current& m, std::int64_t now_ns) {
@@ -184,10 +191,12 @@ bool vehicle_view::is_in_begun_mission() const {
          current_->mission_state != io::mavlink::number(io::mavlink::mission_state::not_started);
 }
 
-bool vehicle_view::is_seen() const {
-  const bool knows_ground =
-      landed_ != mav_landed_state::undefined || owner_.vehicle == flight::vehicle_class::rover || place_;
-  return is_connected() && mode_ && (!is_armed_ || knows_ground);
+bool vehicle_view::is_seen() const { return is_connected() && mode_ && (!is_armed_ || knows_ground()); }
+
+// One without a landing detector is judged by its height.
+bool vehicle_view::knows_ground() const {
+  const bool has_detector = landed_ != mav_landed_state::undefined;
+  return owner_.vehicle == flight::vehicle_class::rover || (has_detector ? is_ground_told_ : place_.has_value());
 }
 
 std::optional<mission::position> vehicle_view::place(std::int64_t now_ns) const {

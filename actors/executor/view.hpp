@@ -80,6 +80,8 @@ public:
   [[nodiscard]] bool is_in_begun_mission() const;
   // Where it stands is known well enough to judge by it.
   [[nodiscard]] bool is_seen() const;
+  // It has told since it is heard whether it stands on the ground.
+  [[nodiscard]] bool knows_ground() const;
   // PX4 does, and who has told one.
   [[nodiscard]] bool keeps_plan_ids() const {
     return owner_.autopilot == io::mavlink::mav_autopilot::px4 || (current_ && current_->mission_id != 0);
@@ -104,6 +106,9 @@ public:
   [[nodiscard]] std::string why_not_armed(std::int64_t now_ns) const;
   // What it has warned of last; empty: of nothing since then.
   [[nodiscard]] std::string warned_since(std::int64_t ns) const;
+  [[nodiscard]] std::int64_t heartbeat_ns() const { return heartbeat_ns_; } // when the newest came
+  // Since when it was heard without a silence.
+  [[nodiscard]] std::int64_t unbroken_since_ns() const { return unbroken_since_ns_; }
   [[nodiscard]] std::int64_t place_heard_ns() const { return place_heard_ns_; }
 
 private:
@@ -124,12 +129,15 @@ private:
   std::string reason_;
   vehicle_link::line_findings line_;
   std::optional<flight::flight_mode> mode_;
+  std::int64_t heartbeat_ns_ = 0;
+  std::int64_t unbroken_since_ns_ = 0;
   flight::mode_owner owner_;
   bool is_plain_wing_ = false; // of what has wings: it does not take off vertically
   bool is_armed_ = false;
   bool is_critical_ = false;
   std::uint64_t heartbeats_ = 0;
   io::mavlink::mav_landed_state landed_ = io::mavlink::mav_landed_state::undefined;
+  bool is_ground_told_ = false; // since it is heard
   std::optional<mission::position> place_;
   double speed_mps_ = 0; // over the ground
   std::int64_t place_heard_ns_ = 0;

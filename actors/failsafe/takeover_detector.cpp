@@ -85,6 +85,8 @@ void takeover_detector::evaluate(const flight_now& flight, const seen_mode& seen
     expected_until_wall_ns_.reset();
     begun_ns_.reset();
   }
+  if (judged_ns_ != seen.heard_ns)
+    authority_.on_heartbeat(now.monotonic_ns);
   const bool was_known = authority_.is_watching();
   if (adopts_) {
     authority_.begin(seen.newest.value_or(seen.mode));

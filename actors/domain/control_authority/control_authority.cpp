@@ -33,7 +33,7 @@ void control_authority::drop_expected(const flight_mode& mode) {
 
 void control_authority::resume(std::vector<std::uint32_t> left_in, std::int64_t now_ns) {
   begin(not_known);
-  expect(std::move(left_in), now_ns + order_is_expected_ns);
+  expect(std::move(left_in), now_ns, now_ns + order_is_expected_ns);
 }
 
 void control_authority::end() { *this = {}; }
@@ -47,27 +47,42 @@ void control_authority::adopt(const flight_mode& mode, holder who) {
   taken_ns_.reset();
 }
 
-void control_authority::expect(std::vector<std::uint32_t> modes, std::int64_t until_ns) {
+void control_authority::expect(std::vector<std::uint32_t> modes, std::int64_t now_ns, std::int64_t until_ns) {
   expected_ = std::move(modes);
   expected_until_ns_ = until_ns;
+  heard_ns_ = now_ns;
 }
 
 void control_authority::expect_also(const std::vector<std::uint32_t>& modes, std::int64_t now_ns,
                                     std::int64_t until_ns) {
-  if (now_ns >= expected_until_ns_)
+  const auto before_ns = expected_until(now_ns);
+  if (now_ns >= before_ns)
     expected_.clear();
   for (const auto each : modes)
     if (std::ranges::find(expected_, each) == expected_.end())
       expected_.push_back(each);
-  expected_until_ns_ = std::max(expected_until_ns_, until_ns);
+  expected_until_ns_ = std::max(before_ns, until_ns);
+  heard_ns_ = now_ns;
 }
 
 void control_authority::withdraw(const std::vector<std::uint32_t>& modes) {
   std::erase_if(expected_, [&](auto each) { return std::ranges::find(modes, each) != modes.end(); });
 }
 
+// A silence in which it would have ended does not count.
+std::int64_t control_authority::expected_until(std::int64_t now_ns) const {
+  const auto unheard_ns = now_ns - heard_ns_;
+  const bool counts = unheard_ns > silence_ns && heard_ns_ < expected_until_ns_;
+  return expected_until_ns_ + (counts ? unheard_ns : 0);
+}
+
+void control_authority::on_heartbeat(std::int64_t now_ns) {
+  expected_until_ns_ = expected_until(now_ns);
+  heard_ns_ = std::max(heard_ns_, now_ns);
+}
+
 bool control_authority::expects(const flight_mode& mode, std::int64_t now_ns) const {
-  return now_ns < expected_until_ns_ && std::ranges::find(expected_, mode.custom_mode) != expected_.end();
+  return now_ns < expected_until(now_ns) && std::ranges::find(expected_, mode.custom_mode) != expected_.end();
 }
 
 void control_authority::set_plan_end(plan_end end) {
@@ -95,6 +110,7 @@ void control_authority::on_place(std::uint16_t sequence, bool is_complete, std::
 
 void control_authority::on_mode(const mode_owner& whose, const flight_mode& mode, bool is_critical,
                                 std::int64_t now_ns) {
+  on_heartbeat(now_ns);
   awaits_heartbeat_ = false;
   if (!is_watching() || !is_ours())
     return;

@@ -9,13 +9,13 @@
 //          ├──another mode, autopilot critical──> autopilot_failsafe    (or it says so within 3 s)
 //          └──any other change of the mode──────> person   <──┘
 //
-// An order names the exact modes that obey it and how long it may take; nothing else is expected. A plan's own change
-// (mode_tables.hpp) is believed once, and only where the vehicle says that it is at its end: until MISSION_CURRENT has
-// told so, or has not for 4 s, it is unclear who has the vehicle, and nothing may be sent. A person who puts
-// the mode back still has it: only begin() gives it back. An ArduPilot's own failsafe is known by its words, which come
-// just before or just after the mode; they only change whose a change is called, and never make it godwit's. Executor
-// and failsafe have one each, and a person whom either has seen is a person for both. Monotonic nanoseconds. Thread:
-// pure.
+// An order names the exact modes that obey it and how long it may take, as far as the vehicle is heard: what comes
+// first after a silence may be its effect. Nothing else is expected. A plan's own change (mode_tables.hpp) is believed
+// once, and only where the vehicle says that it is at its end: until MISSION_CURRENT has told so, or has not for 4 s,
+// it is unclear who has the vehicle, and nothing may be sent. A person who puts the mode back still has it: only
+// begin() gives it back. An ArduPilot's own failsafe is known by its words, which come just before or just after the
+// mode; they only change whose a change is called, and never make it godwit's. Executor and failsafe have one each, and
+// a person whom either has seen is a person for both. Monotonic nanoseconds. Thread: pure.
 //
 // CURRENT_MODE (PX4) shows a change between two heartbeats, and also the mode that somebody has asked for last. Where
 // the actual mode alone has changed the autopilot's own failsafe has the vehicle, also in a mode that an order of ours
@@ -45,6 +45,8 @@ enum class holder {
 
 // A vehicle changes its mode within a heartbeat of its answer; a slow link delays both.
 inline constexpr std::int64_t order_is_expected_ns = 5'000'000'000;
+// Heartbeats come once a second, and one may be lost.
+inline constexpr std::int64_t silence_ns = 2'500'000'000;
 // MISSION_CURRENT comes once a second, and may be lost.
 inline constexpr std::int64_t end_is_told_within_ns = 4'000'000'000;
 // A MISSION_CURRENT that comes right after the mode may have been sent before it.
@@ -75,7 +77,7 @@ public:
   [[nodiscard]] bool is_watching() const { return ours_.has_value(); }
 
   // Before an order goes out. MODES obey it, in this order. It takes the place of what was expected.
-  void expect(std::vector<std::uint32_t> modes, std::int64_t until_ns);
+  void expect(std::vector<std::uint32_t> modes, std::int64_t now_ns, std::int64_t until_ns);
   // After what is expected already, whose effect may still come.
   void expect_also(const std::vector<std::uint32_t>& modes, std::int64_t now_ns, std::int64_t until_ns);
   // The order for them was not sent after all.
@@ -85,6 +87,8 @@ public:
   // What the plan says of itself counts no more: something else brings the vehicle down.
   void forget_plan_end() { plan_end_.modes.clear(); }
 
+  // It tells its mode, whether that is judged or not.
+  void on_heartbeat(std::int64_t now_ns);
   void on_place(std::uint16_t sequence, bool is_complete, std::int64_t now_ns);
   void on_mode(const mode_owner& whose, const flight_mode& mode, bool is_critical, std::int64_t now_ns);
   void on_current_mode(const mode_owner& whose, const told_modes& told, std::int64_t now_ns);
@@ -114,6 +118,7 @@ private:
 
   void adopt(const flight_mode& mode, holder who);
   void drop_expected(const flight_mode& mode);
+  [[nodiscard]] std::int64_t expected_until(std::int64_t now_ns) const;
   void change_by_itself(const told_modes& told, std::int64_t now_ns);
   [[nodiscard]] bool is_told(std::int64_t since_ns) const;
   void lose(bool is_critical, std::int64_t since_ns);
@@ -126,6 +131,7 @@ private:
   bool was_ordered_ = false;        // the mode that is ours
   std::vector<std::uint32_t> expected_;
   std::int64_t expected_until_ns_ = 0;
+  std::int64_t heard_ns_ = 0; // or expected, if that is later
   plan_end plan_end_;
   std::optional<std::uint16_t> sequence_;
   bool is_complete_ = false;

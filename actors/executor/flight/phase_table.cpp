@@ -144,6 +144,7 @@ constexpr std::array table{
     flies(pauses(trigger::start_failed, before_start, cause::not_done), flight_bit::if_in_air),
     pauses(trigger::start_stopped, before_start, cause::asked,
            "stopped before it moved; resume prepares the flight again"),
+    with(row(trigger::start_waits, of(paused), no_guard, stays), cause_rule::kept),
     flying_on(trigger::started, not_flown, no_guard, flying),
     flying_on(trigger::found_started, of(ready, paused), no_guard, flying),
     // in flight
@@ -178,7 +179,8 @@ constexpr std::array table{
     waits(trigger::handed_back, of(paused)),
     flying_on(trigger::handed_back, of(paused), at_end_of_plan, landing),
     flying_on(trigger::handed_back, of(paused), in_mission_mode, flying),
-    pauses(trigger::handed_back, of(paused), cause::asked, "handed back; resume goes on with the mission"),
+    pauses(trigger::handed_back, of(paused), cause::asked,
+           "handed back; it waits for a command: resume, goto or come_home"),
     pauses(trigger::foreign_plan_found, any, cause::foreign_plan, other_plan),
     pauses(trigger::infeasible_plan_found, open, cause::infeasible_plan, infeasible),
     pauses(trigger::autopilot_restarted, open, cause::vehicle_restarted, plan_lost),

@@ -32,7 +32,7 @@ enum class trigger {
   rest_refused, // what is left of a mission that was begun can not be flown from where the vehicle stands
   plan_brought,
   plan_brought_held, // in flight, and it was held before
-  start_waits,       // a person has to start
+  start_waits,       // a person has to start, or to disarm what stands armed
   start_begun,
   start_refused, // for now: it is tried again
   start_failed,

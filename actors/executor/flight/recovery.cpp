@@ -103,6 +103,8 @@ void recovery::recover_on_ground(effects& out, instant now) {
     return; // the end of the flight sees to it; who has the vehicle keeps it, and what is over stays so
   if (!s.doing && !was_prepared(s.status.now))
     return;
+  if (s.doing && s.doing->kind == task_kind::start)
+    flight_.runner.assume_armed();
   phases_.go(out, trigger::restarted_on_ground);
 }
 

@@ -274,7 +274,7 @@ void task_control::fail(effects& out, const task& what, const std::string& why, 
     answer_start(out, *what.start_key, start_verdict::failed, why);
   switch (what.kind) {
   case task_kind::stand_down:
-    return warn("the vehicle stays armed: ");
+    return warn("the vehicle was armed for the start, and may stand armed: ");
   case task_kind::stand_by:
     return warn(flight_.view.is_armed() ? "keep away from the vehicle: it stands armed in its mission mode. "
                                         : "do not arm the vehicle: it stands in its mission mode and would move. ");
@@ -309,7 +309,7 @@ void task_control::fail(effects& out, const task& what, const std::string& why, 
       phases_.go(out, trigger::start_refused, flight_.refused_start_sentence());
     else
       phases_.go(out, trigger::start_failed, why);
-    if (flight_.is_left_armed() && !flight_.view.is_in(mode_kind::mission))
+    if (flight_.may_disarm() && !flight_.view.is_in(mode_kind::mission))
       begin(out, task_kind::stand_down, {disarm{}});
     return;
   }

@@ -249,10 +249,12 @@ void note_complete(decision_context& t, std::uint16_t sequence) {
   if (g.is_finished || g.complete_upto)
     return;
   const auto at = g.moved_to.value_or(g.current);
-  if (std::max(at, sequence) < last_movement(plan.map).value_or(0) && !GODWIT_PLANTED(complete_on_foreign_landing))
+  const bool is_put_back = sequence < at; // ArduPilot, when it disarms: only one that has run to its end
+  const bool is_proof = is_put_back && !plan.vehicle_plan_id;
+  if (std::max(at, sequence) < last_movement(plan.map).value_or(0) && !is_proof &&
+      !GODWIT_PLANTED(complete_on_foreign_landing))
     return; // PX4 says so of any landing; the plan is not done by that
   const bool was_waiting = is_waiting(g);
-  const bool is_put_back = sequence < at; // ArduPilot, when it disarms
   g.complete_upto = is_put_back ? static_cast<std::uint16_t>(end_sequence(plan.map) - 1) : sequence;
   if (g.moved_to || awaits_reached(plan) || awaits_last_outcome(plan))
     wait_if_new(t, was_waiting);

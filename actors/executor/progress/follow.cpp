@@ -75,7 +75,8 @@ void try_to_arm(decision_context& t, const mission_current& message) {
     if (!plan.vehicle_plan_id && message.mission_id != 0)
       plan.vehicle_plan_id = message.mission_id;
     tell(t, progress_event_kind::armed);
-  } else if (!g.is_not_at_start_told && !is_resolving(t) && !t.s.start && has_sequence(plan.map, message.seq)) {
+  } else if (!g.is_found && !g.is_not_at_start_told && !is_resolving(t) && !t.s.start &&
+             has_sequence(plan.map, message.seq)) {
     g.is_not_at_start_told = true;
     tell(t, progress_event_kind::not_at_start,
          "the vehicle is at item " + std::to_string(message.seq) + " of the plan and not at its start, item " +

@@ -20,11 +20,16 @@ void take(decision_context& t, const found_begun& what) {
   if (!t.s.plan || t.s.paused || t.s.upload || t.s.start)
     return;
   const auto& plan = *t.s.plan;
-  if (plan.generation.is_armed || !has_sequence(plan.map, what.sequence) ||
-      is_start(plan.map, plan.generation.start_sequence, what.sequence))
+  const auto tried = plan.generation.tried_start;
+  const bool is_ours = tried && !tried->was_beyond; // else nobody knows where it has begun
+  const bool is_on_its_way =
+      has_sequence(plan.map, what.sequence) && !is_start(plan.map, plan.generation.start_sequence, what.sequence);
+  if (plan.generation.is_armed || !(is_on_its_way || is_ours))
     return;
-  open_generation(t, generation_origin::start, what.sequence);
-  t.s.plan->generation.was_active = what.was_incomplete;
+  open_generation(t, generation_origin::start, is_ours ? tried->sequence : what.sequence);
+  t.s.plan->generation.was_active = is_ours ? tried->was_incomplete : what.was_incomplete;
+  t.s.plan->generation.was_beyond = false;
+  t.s.plan->generation.is_found = true;
 }
 
 void take(decision_context& t, const start_ended& what) {
@@ -33,6 +38,8 @@ void take(decision_context& t, const start_ended& what) {
   const auto start = *std::exchange(t.s.start, std::nullopt);
   if (!what.is_accepted || t.s.paused == pause_reason::foreign_plan || t.s.paused == pause_reason::infeasible_plan) {
     t.s.held.clear(); // what was true then comes again if it is still true
+    if (t.s.plan)
+      t.s.plan->generation.tried_start = start; // it may have been obeyed unheard
     return;
   }
   catch_up(t);

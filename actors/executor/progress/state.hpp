@@ -72,13 +72,15 @@ struct generation_state {
   std::uint16_t start_sequence = 0;
   std::int64_t resolving_since_ns = 0; // its opening, or when it was armed if that came later than settling_ns
   bool is_armed = false;
-  bool is_active = false;            // the vehicle said last that it flies it
-  bool is_complete = false;          // the vehicle said last that it has completed the mission
-  bool was_active = false;           // or incomplete before its start: a MISSION_STATE complete is not an older one
-  bool is_finished = false;          // all items that move the vehicle are done
-  bool was_beyond = true;            // the vehicle, when it was started: where it is now may be where it was then
-  bool is_not_at_start_told = false; // once is enough
-  std::uint16_t current = 0;         // of an armed one: where the vehicle is
+  bool is_active = false;   // the vehicle said last that it flies it
+  bool is_complete = false; // the vehicle said last that it has completed the mission
+  bool was_active = false;  // or incomplete before its start: a MISSION_STATE complete is not an older one
+  bool is_finished = false; // all items that move the vehicle are done
+  bool was_beyond = true;   // the vehicle, when it was started: where it is now may be where it was then
+  bool is_found = false;    // somebody has started it, perhaps not godwit: it is not sent back to its start
+  std::optional<start_intended> tried_start = {}; // that has failed: it may have been obeyed unheard
+  bool is_not_at_start_told = false;              // once is enough
+  std::uint16_t current = 0;                      // of an armed one: where the vehicle is
   // What waits a moment for the MISSION_ITEM_REACHED of the item just left: the vehicle has moved on to here, or has
   // completed the mission with all up to here flown.
   std::optional<std::uint16_t> moved_to;
@@ -102,6 +104,7 @@ struct generation_state {
       io::field("is_armed", &generation_state::is_armed), io::field("is_active", &generation_state::is_active),
       io::field("is_complete", &generation_state::is_complete), io::field("was_active", &generation_state::was_active),
       io::field("is_finished", &generation_state::is_finished), io::field("was_beyond", &generation_state::was_beyond),
+      io::field("is_found", &generation_state::is_found), io::field("tried_start", &generation_state::tried_start),
       io::field("is_not_at_start_told", &generation_state::is_not_at_start_told),
       io::field("current", &generation_state::current), io::field("moved_to", &generation_state::moved_to),
       io::field("complete_upto", &generation_state::complete_upto),

@@ -248,9 +248,15 @@ struct rules_of<arm> : any_step {
   static bool is_done(const arm&, const step_context& c) { return c.view.is_armed(); }
 };
 
+// Somebody else may have it by now, or it may fly: as for what moves it, an observation comes first, and it is sent
+// once.
 template <>
 struct rules_of<disarm> : any_step {
   static std::string description(const disarm&) { return "to disarm"; }
+  static std::string why_not_now(const disarm&, const step_context& c) {
+    return c.view.is_moving() || c.view.is_in(mode_kind::mission) ? "it moves, or is in its mission mode" : "";
+  }
+  static step_effect effect(const disarm&, const step_context&) { return step_effect::moves; }
   static request send(const disarm&, const step_context&) { return step_request{{}, arming_command(false)}; }
   static bool is_done(const disarm&, const step_context& c) { return !c.view.is_armed(); }
 };

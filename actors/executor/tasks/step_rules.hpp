@@ -12,7 +12,8 @@
 //   restore_home        any           neutral             DO_SET_HOME with a place       the vehicle has accepted it
 //   confirm_home        any           neutral             REQUEST_MESSAGE HOME_POSITION  it has the mission's home
 //   reset_home          any           neutral             DO_SET_HOME where it stands    the vehicle has accepted it
-//   arm, disarm         any           flies, neutral      COMPONENT_ARM_DISARM           a heartbeat shows it
+//   arm                 any           flies the plan      COMPONENT_ARM_DISARM           a heartbeat shows it
+//   disarm              it stands     moves               COMPONENT_ARM_DISARM           a heartbeat shows it
 //   start_plan *        armed         flies the plan      MISSION_START; PX4: its mode   it flies its mission
 //
 //   *  its intent is journalled before it is sent, and its end after it

@@ -164,7 +164,7 @@ void task_runner::expect(const world& w, std::vector<std::uint32_t> modes) {
     std::erase_if(last_expected_, [&](auto each) { return w.authority.expects({{}, each}, w.now_ns); });
     w.authority.expect_also(modes, w.now_ns, w.now_ns + flight::order_is_expected_ns);
   } else {
-    w.authority.expect(std::move(modes), w.now_ns + flight::order_is_expected_ns);
+    w.authority.expect(std::move(modes), w.now_ns, w.now_ns + flight::order_is_expected_ns);
   }
 }
 

@@ -21,6 +21,9 @@ bool is_final(const vehicle_link::command_outcome& outcome) {
          (outcome.result == number(mav_result::denied) || outcome.result == number(mav_result::unsupported));
 }
 
+// That it was accepted does not count: what it does it shows.
+constexpr const char* not_shown = "does not show it";
+
 progress::start_intended start_at(const vehicle_view& view, std::uint16_t sequence) {
   return {sequence, view.says_incomplete(), !view.current() || view.current()->seq > sequence};
 }
@@ -36,8 +39,8 @@ void task_runner::begin(const task& what, steps way, std::optional<progress::upl
   intent_ = std::move(intent);
   run_ns_ = 0;
   was_stalled_ = false;
-  has_armed_ = false;
-  armed_ns_ = 0;
+  if (what.kind != task_kind::stand_down)
+    armed_ns_ = 0;
   ended_.reset();
   why_failed_.clear();
   was_infeasible_ = false;
@@ -111,7 +114,7 @@ void task_runner::run_stage(const world& w) {
   else if (stage_ == stage::confirming && is_done(w))
     succeed(w);
   else if (stage_ == stage::confirming && is_late)
-    retry_or_fail(w, last_reason_.empty() ? "the vehicle does not show it" : last_reason_, false);
+    retry_or_fail(w, last_reason_.empty() ? not_shown : last_reason_, false);
   else if (stage_ == stage::confirming && w.now_ns >= step_.next_observation_ns)
     observe(w);
   else if (stage_ == stage::observing && is_late)
@@ -150,7 +153,9 @@ void task_runner::begin_step(const world& w) {
   if (const auto why = why_not_now(way_[at_], context(w)); !why.empty())
     return fail(why);
   if (has_stalled())
-    return fail_unsent(w, "godwit stood still for more than a second; a person has to repeat the command");
+    return fail_unsent(
+        w, "godwit stood still, or did not hear the vehicle, for more than a second; a person has to repeat the "
+           "command");
   const auto allowed = may_send(intended(w), w.authority, w.seen, w.now_ns);
   if (allowed == permission::not_ours || allowed == permission::wait) // control_watch ends it, or continues it
     return enter(stage::pausing, w.now_ns + until_heartbeat_ns);
@@ -204,7 +209,8 @@ void task_runner::retry_or_fail(const world& w, const std::string& why, bool is_
       attempts_.tries < (is_stop() || attempts_.was_lost ? max_tries_of_lost : max_tries))
     return was_refused ? enter(stage::pausing, w.now_ns + pause_between_ns) : enter(stage::begin);
   const auto warned = w.view.warned_since(attempts_.sent_ns);
-  const auto sentence = "the vehicle was asked " + description_of(way_[at_]) + ", and did not: " + why +
+  const auto sentence = "the vehicle was asked " + description_of(way_[at_]) + ", and " +
+                        (why == not_shown ? why : "did not: " + why) +
                         (warned.empty() ? "" : "; it reports \"" + warned + "\"");
   if (const auto* mode = std::get_if<change_mode>(&way_[at_])) // late, it can not be told from a person's
     withdraw(w, flight::modes_obeying(w.view.owner(), mode->to));
@@ -246,6 +252,8 @@ void task_runner::on_command(const world& w, std::uint64_t number, const vehicle
   step_.observed_ns = 0; // the vehicle is observed anew before whatever is sent next
   attempts_.was_lost = outcome.verdict == command_verdict::timed_out;
   const bool is_accepted = outcome.verdict == command_verdict::accepted;
+  if (is_at<arm>() && !is_accepted && !attempts_.was_lost)
+    armed_ns_ = 0;
   was_refused_for_now_ = outcome.verdict == command_verdict::refused && !is_final(outcome);
   // An observation asks for a message, too: what asks for another one waits for its answer.
   const bool is_unsent =
@@ -254,7 +262,6 @@ void task_runner::on_command(const world& w, std::uint64_t number, const vehicle
     return;
   if (!is_accepted && !attempts_.was_lost)
     return retry_or_fail(w, outcome.reason, is_final(outcome));
-  has_armed_ = has_armed_ || is_at<arm>();
   if (is_accepted && is_done_by_answer(way_[at_], context(w)))
     return succeed(w);
   attempts_.was_accepted = is_accepted;

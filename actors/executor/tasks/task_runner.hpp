@@ -86,7 +86,12 @@ public:
   // Of the mission whose plan was to be uploaded.
   [[nodiscard]] std::int32_t brought_revision() const { return intent_ ? intent_->revision : 0; }
   // The vehicle is armed because of the task that began last, or may be.
-  [[nodiscard]] bool has_armed() const { return has_armed_; }
+  [[nodiscard]] bool has_armed() const { return armed_ns_ != 0; }
+  [[nodiscard]] std::int64_t armed_ns() const { return armed_ns_; }
+  // The start of an incarnation before may have.
+  void assume_armed() { armed_ns_ = 1; }
+  // It is disarmed, or never was armed.
+  void forget_armed() { armed_ns_ = 0; }
 
   // What is under way holds the vehicle, or brings it home.
   [[nodiscard]] bool is_stop() const {
@@ -166,8 +171,7 @@ private:
   std::optional<progress::upload_intended> intent_;
   std::int64_t run_ns_ = 0; // last; 0: not yet
   bool was_stalled_ = false;
-  bool has_armed_ = false;
-  std::int64_t armed_ns_ = 0; // when arming was sent
+  std::int64_t armed_ns_ = 0; // when arming was sent, and not refused; 0: it was not
   std::optional<verdict> ended_;
   std::string why_failed_;
 

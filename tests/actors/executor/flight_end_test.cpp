@@ -144,10 +144,11 @@ TEST_P(flight_end, after_an_arm_that_was_not_refused_only_a_person_starts_again)
   world.load(tests::short_mission(GetParam()));
   ASSERT_TRUE(world.run_until_phase(phase::paused, 60)) << world.story();
   EXPECT_EQ(world.durable().status.cause, pause_cause::not_done) << world.story();
-  const auto armings = std::ranges::count(world.commands(), arming);
+  const auto armings = world.arms();
   world.run_for(90);
   EXPECT_EQ(world.durable().status.now, phase::paused) << world.story();
-  EXPECT_EQ(std::ranges::count(world.commands(), arming), armings) << "it is disarmed, and not armed again";
+  EXPECT_EQ(world.arms(), armings) << "it is disarmed, and not armed again";
+  EXPECT_EQ(world.disarms(), 1) << world.story();
 }
 
 TEST_P(flight_end, what_was_armed_for_a_start_that_failed_is_disarmed_again) {

@@ -299,6 +299,10 @@ void flight_world::cut_line(double seconds) {
   cut_until_ns_ = time_.now_ns() + static_cast<std::int64_t>(seconds * 1e9);
 }
 
+void flight_world::deafen(double seconds) {
+  deaf_until_ns_ = time_.now_ns() + static_cast<std::int64_t>(seconds * 1e9);
+}
+
 // -- the failsafe -----------------------------------------------------------------------------------
 
 void flight_world::tick_failsafe() {
@@ -516,6 +520,7 @@ void flight_world::take(const executor::order& each) {
                   : 0;
           const auto arm_disarm = io::mavlink::number(io::mavlink::mav_cmd::component_arm_disarm);
           arms_ += what.command == arm_disarm && what.param1 == 1 ? 1 : 0;
+          disarms_ += what.command == arm_disarm && what.param1 == 0 ? 1 : 0;
           if (stands_by)
             ++stand_bys_;
           else
@@ -596,7 +601,7 @@ void flight_world::hear(std::span<const std::byte> frame) {
   if (persons_line_ == 0)
     person_.receive(frame);
   note_picture(frame);
-  if (is_silenced(frame))
+  if (is_silenced(frame) || time_.now_ns() < deaf_until_ns_)
     return;
   carry(frame, [this, age = link_age_](const std::vector<std::byte>& bytes) {
     if (age == link_age_)

@@ -140,6 +140,7 @@ public:
   void crash_link();
   void crash_all(); // the process: executor, failsafe, and the link to the vehicle
   void cut_line(double seconds);
+  void deafen(double seconds); // what is sent arrives, and nothing comes back
   // The link has a transfer of the executor.
   [[nodiscard]] bool is_uploading() const {
     return std::ranges::any_of(asked_, [](const auto& each) { return each.second; });
@@ -177,6 +178,8 @@ public:
   [[nodiscard]] int starts() const { return starts_; }
   // Of these, so many arm it.
   [[nodiscard]] int arms() const { return arms_; }
+  // And so many disarm it.
+  [[nodiscard]] int disarms() const { return disarms_; }
   // All that went to the vehicle to change something: commands, uploads, items to go on with; what is counted in
   // stand_bys() is not.
   [[nodiscard]] int orders() const { return orders_; }
@@ -316,6 +319,7 @@ private:
   bool keeps_order_ = false;
   std::int64_t newest_arrival_ns_ = 0;
   std::int64_t cut_until_ns_ = 0;
+  std::int64_t deaf_until_ns_ = 0;
   std::map<std::uint64_t, bool> asked_; // of the link, and not answered yet; true: a transfer
   std::set<std::uint64_t> looks_;       // the same
   std::uint64_t link_age_ = 0;          // frames on their way to a link that has died are lost
@@ -334,6 +338,7 @@ private:
   int stand_bys_ = 0;
   int starts_ = 0;
   int arms_ = 0;
+  int disarms_ = 0;
   int orders_ = 0;
   int last_line_orders_ = 0;
   bool loses_fences_ = false;

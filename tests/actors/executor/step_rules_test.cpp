@@ -73,9 +73,16 @@ TEST(step_effect, of_a_mode_follows_from_where_it_leads) {
 TEST(step_effect, arm_and_start_fly_the_plan_and_what_prepares_them_is_neutral) {
   EXPECT_EQ(on_ground(arm{}), step_effect::flies_plan);
   EXPECT_EQ(on_ground(start_plan{}), step_effect::flies_plan);
-  for (const step& each : {step(guard{}), step(clear_plan{}), step(restore_home{}), step(confirm_home{}),
-                           step(reset_home{}), step(disarm{})})
+  for (const step& each :
+       {step(guard{}), step(clear_plan{}), step(restore_home{}), step(confirm_home{}), step(reset_home{})})
     EXPECT_EQ(on_ground(each), step_effect::neutral) << description_of(each);
+}
+
+// Somebody else may have it by then: seen on a real vehicle, which was disarmed under a person's hands.
+TEST(step_effect, a_disarm_needs_an_observation_and_is_not_for_what_moves) {
+  EXPECT_EQ(on_ground(disarm{}), step_effect::moves);
+  const scene flying(mode_kind::mission, true);
+  EXPECT_NE(why_not_now(disarm{}, flying.as(task_kind::stand_down)), "");
 }
 
 TEST(step_effect, a_plan_or_item_moves_only_an_armed_vehicle_in_mission_mode) {

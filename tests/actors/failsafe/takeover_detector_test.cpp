@@ -56,6 +56,12 @@ takeover_detector on_mission(const plan_end& end = {}) {
   return watch;
 }
 
+// It tells its mode each second, and nothing else happens.
+void hear(takeover_detector& watch, const flight_mode& mode, std::int64_t until_ms) {
+  for (std::int64_t ms = 1'000; ms < until_ms; ms += 1'000)
+    see(watch, flies, mode, ms);
+}
+
 bool takes_over(takeover_detector watch, const flight_mode& mode, std::int64_t ms = 0) {
   see(watch, flies, mode, ms);
   return watch.is_taken_over();
@@ -98,6 +104,8 @@ TEST(takeover_detector, a_hold_by_loiter_where_brake_was_ordered_is_a_pilot) {
 TEST(takeover_detector, a_mode_that_was_commanded_is_ours_for_a_while) {
   auto watch = on_mission();
   watch.expect({brakes.custom_mode}, 5'000, start);
+  EXPECT_FALSE(takes_over(watch, brakes, 40'000)) << "nobody could see it obeyed before";
+  hear(watch, mission, 5'000);
   EXPECT_FALSE(takes_over(watch, brakes, 4'900));
   EXPECT_TRUE(takes_over(watch, brakes, 5'000)) << "the deadline";
 }
@@ -135,6 +143,7 @@ TEST(takeover_detector, a_short_expectation_does_not_shorten_a_long_one) {
 TEST(takeover_detector, an_expectation_has_an_upper_bound) {
   auto watch = on_mission();
   watch.expect({brakes.custom_mode}, 86'400'000, start);
+  hear(watch, mission, max_expectation_ms);
   EXPECT_FALSE(takes_over(watch, brakes, max_expectation_ms - 1));
   EXPECT_TRUE(takes_over(watch, brakes, max_expectation_ms));
 }
@@ -426,6 +435,8 @@ TEST(takeover_detector, after_a_restart_the_exact_modes_that_were_expected_still
   const auto at = [&](std::int64_t ms) { return instant{1 + ms * ns_per_ms, rebooted.wall_ns + ms * ns_per_ms}; };
   const auto is_pilots = [&](const flight_mode& mode, std::int64_t ms) {
     auto again = restored(watch, rebooted);
+    for (std::int64_t heard_ms = 1'000; heard_ms < ms; heard_ms += 1'000)
+      again.evaluate(flies, {copter, mission, false, at(heard_ms).monotonic_ns}, at(heard_ms));
     again.evaluate(flies, {copter, mode, false, at(ms).monotonic_ns}, at(ms));
     return again.is_taken_over();
   };
@@ -440,7 +451,9 @@ TEST(takeover_detector, after_a_restart_with_a_clock_that_was_set_back_an_expect
   auto watch = on_mission();
   watch.expect({brakes.custom_mode}, 10'000, start);
   const instant set_back{start.monotonic_ns, start.wall_ns - 3'600 * ns_per_s};
-  EXPECT_TRUE(takes_over(restored(watch, set_back), brakes, max_expectation_ms));
+  auto again = restored(watch, set_back);
+  hear(again, mission, max_expectation_ms);
+  EXPECT_TRUE(takes_over(again, brakes, max_expectation_ms));
 }
 
 TEST(takeover_detector, after_a_restart_the_plan_still_ends_where_it_ends) {

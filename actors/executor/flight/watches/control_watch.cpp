@@ -13,6 +13,7 @@ namespace godwit::executor {
 // -- what the vehicle reports -----------------------------------------------------------------------
 
 void control_watch::on_mode(instant now) {
+  flight_.authority.on_heartbeat(now.now_ns);
   if (flight_.view.is_armed())
     was_armed_ = true;
   if (!judges_modes())
@@ -169,6 +170,27 @@ void control_watch::drop_all(effects& out, const std::string& why) {
 std::string control_watch::left_armed() const {
   const bool stands_armed = flight_.is_starting() && flight_.is_left_armed() && !disarms_;
   return stands_armed ? "; godwit has armed the vehicle, and it stands armed: whoever has it disarms it" : "";
+}
+
+void control_watch::look_at_left_armed(effects& out, instant now) {
+  const auto& status = flight_.s.status;
+  const bool waits = status.now == phase::paused && flight_.view.mode() && !flight_.has_person() &&
+                     !flight_.is_in_flight() && !flight_.runner.is_busy();
+  auto& runner = flight_.runner;
+  if (!flight_.view.is_armed() && flight_.view.heartbeat_ns() > runner.armed_ns() + flight::silence_ns)
+    runner.forget_armed(); // who arms it from now on is somebody else
+  const bool is_left = waits && flight_.is_left_armed();
+  if (flight_.may_disarm() && is_left && !reason_before_ && now.now_ns - runner.armed_ns() <= flight::silence_ns)
+    return tasks_.begin(out, task_kind::stand_down, {disarm{}});
+  if (is_left == reason_before_.has_value())
+    return;
+  if (is_left)
+    reason_before_ = status.reason;
+  const auto reason = is_left ? "the vehicle stands armed, by godwit's ARM or by somebody since: keep away from it; "
+                                "whoever has it disarms it"
+                              : *std::exchange(reason_before_, {});
+  if (waits)
+    phases_.go(out, trigger::start_waits, reason);
 }
 
 void control_watch::yield(effects& out, trigger to, const std::string& reason) {

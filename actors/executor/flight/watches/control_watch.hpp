@@ -38,6 +38,9 @@ public:
 
   // True: somebody else has just got it, or it is unclear who has it.
   [[nodiscard]] bool check_authority(effects& out, instant now);
+  // A start has ended before its ARM was heard obeyed. Where it shows at once the vehicle is disarmed; after a silence
+  // or a restart nobody can tell whose it is by then: it is told, and nothing is sent.
+  void look_at_left_armed(effects& out, instant now);
   // A station's own message has made it its person's.
   void give_to_station(effects& out, const station_act& m);
   // A start or resume by this station hands it back, and the vehicle is heard.
@@ -60,11 +63,12 @@ private:
   flight_context& flight_;
   phase_machine& phases_;
   task_control& tasks_;
-  std::optional<std::uint32_t> known_end_; // the generation whose end the authority knows
-  bool was_armed_ = false;                 // in the start that is under way
-  bool is_close_ = false;                  // the vehicle is watched closely, for a start
-  bool disarms_ = false;                   // what somebody else has commanded; no heartbeat shows it yet
-  std::string who_acts_;                   // the one whose command the vehicle obeys; empty: its mode alone shows it
+  std::optional<std::uint32_t> known_end_;   // the generation whose end the authority knows
+  bool was_armed_ = false;                   // in the start that is under way
+  bool is_close_ = false;                    // the vehicle is watched closely, for a start
+  bool disarms_ = false;                     // what somebody else has commanded; no heartbeat shows it yet
+  std::optional<std::string> reason_before_; // of the pause, in which the vehicle was found armed
+  std::string who_acts_;                     // the one whose command the vehicle obeys; empty: its mode alone shows it
 };
 
 } // namespace godwit::executor

@@ -48,29 +48,56 @@ TEST(control_authority, a_mode_that_nobody_has_ordered_is_a_persons) {
 
 TEST(control_authority, an_order_is_obeyed_by_the_exact_mode_and_not_by_another_of_its_kind) {
   auto who = in_flight();
-  who.expect({brake.custom_mode}, 5 * s);
+  who.expect({brake.custom_mode}, 0, 5 * s);
   EXPECT_EQ(behind(who, brake), holder::godwit);
   EXPECT_EQ(behind(who, loiter), holder::person) << "the hold was lost, and a pilot took LOITER";
 }
 
 TEST(control_authority, what_was_ordered_is_expected_once) {
   auto who = in_flight();
-  who.expect({brake.custom_mode}, 60 * s);
+  who.expect({brake.custom_mode}, 0, 60 * s);
   who.on_mode(copter, brake, false, 0);
-  who.expect({automatic.custom_mode}, 60 * s);
+  who.expect({automatic.custom_mode}, 0, 60 * s);
   who.on_mode(copter, automatic, false, s);
   EXPECT_EQ(behind(who, brake, 3 * s), holder::person);
 }
 
 TEST(control_authority, an_order_that_is_not_obeyed_in_time_is_expected_no_more) {
   auto who = in_flight();
-  who.expect({brake.custom_mode}, 5 * s);
+  who.expect({brake.custom_mode}, 0, 5 * s);
+  for (int beat = 1; beat < 5; ++beat)
+    who.on_heartbeat(beat * s);
   EXPECT_EQ(behind(who, brake, 5 * s), holder::person);
+}
+
+// Nobody could have seen it obeyed: what comes first may be its effect, and then it counts for as long as it had left.
+TEST(control_authority, a_silence_in_which_an_order_would_have_expired_does_not_count) {
+  auto who = in_flight();
+  who.expect({brake.custom_mode}, 0, 5 * s);
+  who.on_heartbeat(s);
+  EXPECT_EQ(behind(who, brake, 40 * s), holder::godwit);
+  EXPECT_EQ(behind(who, loiter, 40 * s), holder::person) << "no order names it";
+  who.on_heartbeat(40 * s); // and is in its old mode still
+  for (const int heard_s : {41, 42, 43})
+    who.on_heartbeat(heard_s * s);
+  EXPECT_EQ(behind(who, brake, 43 * s), holder::godwit);
+  who.on_heartbeat(44 * s);
+  EXPECT_EQ(behind(who, brake, 44 * s), holder::person);
+}
+
+TEST(control_authority, an_order_that_has_expired_before_a_silence_is_not_expected_after_it) {
+  auto who = in_flight();
+  who.expect({brake.custom_mode}, 0, 5 * s);
+  for (int beat = 1; beat <= 5; ++beat)
+    who.on_heartbeat(beat * s);
+  EXPECT_EQ(behind(who, brake, 40 * s), holder::person);
 }
 
 TEST(control_authority, an_order_that_has_expired_does_not_come_back_with_the_next_one) {
   auto who = in_flight();
   who.expect_also({loiter.custom_mode}, 0, 5 * s);
+  for (int beat = 1; beat <= 5; ++beat)
+    who.on_heartbeat(beat * s);
   who.expect_also({brake.custom_mode}, 6 * s, 11 * s);
   EXPECT_EQ(behind(who, loiter, 7 * s), holder::person);
   EXPECT_EQ(behind(who, brake, 7 * s), holder::godwit);
@@ -78,7 +105,7 @@ TEST(control_authority, an_order_that_has_expired_does_not_come_back_with_the_ne
 
 TEST(control_authority, what_was_not_sent_is_not_expected) {
   auto who = in_flight();
-  who.expect({brake.custom_mode}, 5 * s);
+  who.expect({brake.custom_mode}, 0, 5 * s);
   who.withdraw({brake.custom_mode});
   EXPECT_EQ(behind(who, brake, s), holder::person);
 }
@@ -86,7 +113,7 @@ TEST(control_authority, what_was_not_sent_is_not_expected) {
 TEST(control_authority, a_person_who_puts_the_mode_back_still_has_it) {
   auto who = in_flight();
   who.on_mode(copter, loiter, false, 0);
-  who.expect({automatic.custom_mode}, 5 * s);
+  who.expect({automatic.custom_mode}, 0, 5 * s);
   who.on_mode(copter, automatic, false, s);
   EXPECT_EQ(who.who(), holder::person);
   who.begin(automatic);
@@ -226,7 +253,7 @@ TEST(control_authority, a_plan_leads_there_once) {
   auto who = near_its_end();
   who.on_place(last_item, true, 0);
   who.on_mode(px4, px4_hold, false, s);
-  who.expect({px4_mission.custom_mode}, 10 * s);
+  who.expect({px4_mission.custom_mode}, 0, 10 * s);
   who.on_mode(px4, px4_mission, false, 2 * s);
   EXPECT_EQ(who.who(), holder::godwit);
   who.on_mode(px4, px4_hold, false, 4 * s);
@@ -263,7 +290,8 @@ TEST(control_authority, an_incarnation_that_begins_anew_knows_where_the_one_befo
   EXPECT_EQ(behind(who, automatic), holder::godwit);
   EXPECT_EQ(behind(who, brake), holder::godwit);
   EXPECT_EQ(behind(who, loiter), holder::person);
-  who.on_mode(copter, automatic, false, 0);
+  for (int beat = 0; beat < 5; ++beat)
+    who.on_mode(copter, automatic, false, beat * s);
   EXPECT_EQ(behind(who, brake, order_is_expected_ns), holder::person) << "whatever was under way has come by then";
 }
 
@@ -278,7 +306,7 @@ TEST(control_authority, the_words_of_a_breach_before_a_hand_back_explain_nothing
 
 TEST(control_authority, orders_before_the_one_that_is_obeyed_are_expected_no_more) {
   auto begun = in_flight();
-  begun.expect({brake.custom_mode, automatic.custom_mode}, 5 * s);
+  begun.expect({brake.custom_mode, automatic.custom_mode}, 0, 5 * s);
   auto obeyed = begun;
   begun.begin(automatic);
   EXPECT_EQ(behind(begun, brake, s), holder::person);
@@ -293,7 +321,7 @@ TEST(control_authority, a_return_that_was_found_and_not_ordered_does_not_end_in_
   constexpr flight_mode returns{mode_kind::returning, 11};
   constexpr flight_mode holds{mode_kind::hold, 4};
   auto who = in_flight();
-  who.expect({returns.custom_mode}, 5 * s);
+  who.expect({returns.custom_mode}, 0, 5 * s);
   who.on_mode(by_the_text, returns, false, s);
   auto found = who;
   who.on_mode(by_the_text, holds, false, 2 * s);
@@ -345,7 +373,7 @@ TEST(control_authority, at_its_last_item_only_the_mode_into_which_the_plan_leads
 
 TEST(control_authority, at_the_end_of_the_plan_nothing_is_expected_any_more) {
   auto who = near_its_end();
-  who.expect({px4_mission.custom_mode}, 10 * s);
+  who.expect({px4_mission.custom_mode}, 0, 10 * s);
   who.on_place(last_item, true, 0);
   who.on_mode(px4, px4_hold, false, s);
   ASSERT_EQ(who.who(), holder::autopilot_end);

@@ -74,13 +74,13 @@ TEST(current_mode, who_has_asked_for_the_mode_that_it_is_in_is_a_person_also_whe
 
 TEST(current_mode, a_failsafe_that_takes_the_mode_of_an_order_that_was_lost_is_not_its_obedience) {
   auto by_heartbeat = in_flight();
-  by_heartbeat.expect({returning.custom_mode}, 10 * s);
+  by_heartbeat.expect({returning.custom_mode}, 0, 10 * s);
   beat(by_heartbeat, returning, s);
   ASSERT_EQ(by_heartbeat.who(), holder::godwit);
   tell(by_heartbeat, returning, mission, s + s / 2);
   EXPECT_EQ(by_heartbeat.who(), holder::autopilot_failsafe);
   auto at_once = in_flight();
-  at_once.expect({returning.custom_mode}, 10 * s);
+  at_once.expect({returning.custom_mode}, 0, 10 * s);
   tell(at_once, returning, mission, s);
   EXPECT_EQ(at_once.who(), holder::autopilot_failsafe);
 }
@@ -88,7 +88,7 @@ TEST(current_mode, a_failsafe_that_takes_the_mode_of_an_order_that_was_lost_is_n
 TEST(current_mode, an_order_that_is_obeyed_is_ours_whichever_tells_it_first) {
   for (const bool beats_first : {false, true}) {
     auto who = in_flight();
-    who.expect({hold.custom_mode}, 10 * s);
+    who.expect({hold.custom_mode}, 0, 10 * s);
     if (beats_first)
       beat(who, hold, s);
     tell(who, hold, hold, s + s / 2);
@@ -102,7 +102,7 @@ TEST(current_mode, an_order_that_is_obeyed_is_ours_whichever_tells_it_first) {
 
 TEST(current_mode, an_order_that_is_not_obeyed_yet_is_nobodys_takeover) {
   auto who = in_flight();
-  who.expect({hold.custom_mode}, 10 * s);
+  who.expect({hold.custom_mode}, 0, 10 * s);
   tell(who, mission, hold, s);
   EXPECT_EQ(who.who(), holder::godwit);
 }

@@ -206,6 +206,21 @@ TEST(advance, an_ardupilot_that_was_put_back_to_its_beginning_has_flown_all) {
             (texts{"started A#0 g1", "reached A#0 g1 inferred", "reached B#1 g1 inferred", "complete g1 inferred"}));
 }
 
+// From wherever it was heard last: its mission has run to its end. A PX4 stays where it was.
+TEST(advance, an_ardupilot_that_was_put_back_in_a_silence_has_flown_all) {
+  progress_fixture d(ardupilot);
+  d.fly({"A", "B", "C", "D"});
+  d.reached(0);
+  d.current(1);
+  d.said();
+  d.wait_s(40);
+  d.current(-1, mission_state::complete);
+  d.wait_s(1);
+  d.current(-1, mission_state::complete);
+  EXPECT_EQ(d.said(), (texts{"reached B#1 g1 inferred", "reached C#2 g1 inferred", "reached D#3 g1 inferred",
+                             "complete g1 inferred"}));
+}
+
 // PX4 says so of any landing, also of a pilot's.
 TEST_P(advance_any, complete_before_the_last_item_that_moves_the_vehicle_completes_nothing) {
   d.fly({"A", "B", "C"});

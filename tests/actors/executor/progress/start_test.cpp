@@ -267,6 +267,43 @@ TEST(start, one_that_nobody_here_has_made_counts_from_the_item_at_which_it_is_fo
   EXPECT_EQ(d.said(), (texts{"skipped A#0 g2", "started B#1 g2", "reached B#1 g2"}));
 }
 
+// It has failed, because nobody heard it obeyed.
+TEST(start, one_that_was_made_here_counts_from_its_item_wherever_it_is_found) {
+  for (const bool was_beyond : {false, true}) {
+    progress_fixture d;
+    d.upload({"A", "B", "C", "D"});
+    d.wait_s(5);
+    d.take(start_intended{d.sequence(0), false, was_beyond});
+    d.take(start_ended{false});
+    d.wait_s(30);
+    d.take(found_begun{d.sequence(2)});
+    d.current(2);
+    d.wait_s(5);
+    d.current(2);
+    d.wait_s(1);
+    d.reached(2);
+    const texts found{"skipped A#0 g2", "skipped B#1 g2", "started C#2 g2", "reached C#2 g2"};
+    const texts followed{"reached A#0 g2 inferred", "reached B#1 g2 inferred", "reached C#2 g2"};
+    EXPECT_EQ(d.said(), was_beyond ? found : followed);
+  }
+}
+
+// The line comes back in the moment before an item is reached: the vehicle is not turned round.
+TEST(start, one_that_is_found_and_goes_on_at_once_is_followed_and_not_sent_back) {
+  progress_fixture d;
+  d.upload({"A", "B", "C", "D"});
+  d.wait_s(5);
+  d.take(found_begun{d.sequence(1)});
+  d.current(2);
+  d.wait_s(3);
+  d.current(2);
+  d.wait_s(3);
+  d.current(2);
+  EXPECT_EQ(d.said(), (texts{"skipped A#0 g2", "reached B#1 g2 inferred", "started C#2 g2"}));
+  for (const auto& each : d.news_told())
+    EXPECT_EQ(each.find("not_at_start"), std::string::npos) << each;
+}
+
 TEST(start, one_that_nobody_here_has_made_and_that_is_at_its_start_opens_nothing) {
   progress_fixture d;
   d.upload({"A", "B", "C"});

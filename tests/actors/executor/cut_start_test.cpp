@@ -1,0 +1,139 @@
+// The line is cut in the moments of a start, and the vehicle obeys unheard.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "programs/godwit-drill/flight_simulation/vehicle_modes.hpp"
+#include "tests/actors/executor/flight_checks.hpp"
+#include "tests/actors/executor/flight_world.hpp"
+
+namespace godwit::executor {
+namespace cut_start_test {
+
+using mission::progress_kind;
+using operators::command_kind;
+using tests::flight_world;
+
+class cut_start : public testing::TestWithParam<sim::personality> {
+protected:
+  static void begin(flight_world& world) {
+    world.load(tests::short_mission(GetParam()));
+    ASSERT_TRUE(world.run_until_phase(phase::ready, 120)) << world.story();
+    ASSERT_TRUE(world.say(command_kind::start).is_taken) << world.sentence();
+  }
+  static long skipped(const flight_world& world) {
+    return std::ranges::count(world.reports(), progress_kind::skipped, &mission::progress_report::kind);
+  }
+};
+
+// Whatever was heard of it by then: nothing, the acknowledgement, or the first heartbeat.
+TEST_P(cut_start, a_start_that_was_obeyed_unheard_is_followed_and_what_was_flown_is_not_skipped) {
+  for (const int after_ms : {0, 2, 5, 20, 100, 300}) {
+    const double speed = GetParam() == sim::personality::rover ? 0.1 : 2; // of which the way is short
+    flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = speed});
+    begin(world);
+    ASSERT_TRUE(world.run_until([&] { return world.starts() > 0; }, 20)) << world.story();
+    world.run_for(after_ms * 1e-3);
+    world.cut_line(12);
+    world.run_for(16);
+    EXPECT_EQ(world.durable().status.now, phase::flying) << after_ms << "\n" << world.story();
+    EXPECT_EQ(world.sentence().find("disarm"), std::string::npos) << world.sentence();
+    ASSERT_TRUE(world.run_until_phase(phase::done, 2'000)) << after_ms << "\n" << world.story();
+    EXPECT_EQ(skipped(world), 0) << after_ms << "\n" << world.story();
+    EXPECT_EQ(world.arms(), 1) << world.story();
+  }
+}
+
+// From its middle until it stands disarmed, with a kill in it or without.
+TEST_P(cut_start, a_mission_that_was_completed_in_a_silence_is_complete_and_nothing_of_it_is_flown_again) {
+  for (const bool is_killed : {false, true}) {
+    flight_world world({.who = GetParam(), .start = start_policy::on_command});
+    begin(world);
+    ASSERT_TRUE(world.run_until([&] { return tests::is_told(world, progress_kind::started, "w2"); }, 200))
+        << world.story();
+    world.cut_line(90);
+    world.run_for(20);
+    if (is_killed)
+      world.crash_all();
+    world.run_for(75);
+    ASSERT_TRUE(world.run_until_phase(phase::done, 30)) << world.story();
+    EXPECT_EQ(skipped(world), 0) << world.story();
+    EXPECT_EQ(world.reports().back().kind, progress_kind::complete) << world.story();
+    EXPECT_EQ(world.arms(), 1) << world.story();
+  }
+}
+
+// Somebody else's mode after it is nobody's order.
+TEST_P(cut_start, who_has_taken_the_vehicle_in_the_silence_has_it_and_is_not_told_to_disarm_it_in_flight) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 2});
+  begin(world);
+  ASSERT_TRUE(world.run_until([&] { return world.starts() > 0; }, 20)) << world.story();
+  world.cut_line(12);
+  world.run_for(8);
+  world.switch_mode(drill::pilot_mode(GetParam()));
+  const auto orders = world.orders();
+  world.run_for(10);
+  EXPECT_EQ(world.durable().status.cause, pause_cause::taken_over) << world.story();
+  EXPECT_EQ(world.orders(), orders) << world.story();
+  if (world.vehicle().describe().in_air) {
+    EXPECT_EQ(world.sentence().find("stands armed"), std::string::npos) << world.sentence();
+  }
+}
+
+// Nobody knows who has it by then: it is told, and nothing is sent. After a restart of godwit as well.
+TEST_P(cut_start, a_vehicle_that_was_armed_unheard_is_told_as_armed_until_it_is_disarmed) {
+  for (const bool is_killed : {false, true}) {
+    flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+    begin(world);
+    ASSERT_TRUE(world.run_until([&] { return world.arms() > 0; }, 20)) << world.story();
+    if (is_killed)
+      world.crash_all();
+    world.cut_line(6);
+    world.run_for(8);
+    ASSERT_TRUE(world.vehicle().describe().armed) << world.story();
+    EXPECT_EQ(world.durable().status.now, phase::paused) << world.story();
+    EXPECT_NE(world.sentence().find("stands armed"), std::string::npos) << world.story();
+    EXPECT_EQ(world.starts(), 0) << world.story();
+    world.disarm_by_hand();
+    ASSERT_TRUE(world.run_until([&] { return world.sentence().find("stands armed") == std::string::npos; }, 5))
+        << world.story();
+    EXPECT_EQ(world.durable().status.now, phase::paused) << world.story();
+    EXPECT_EQ(world.arms(), 1) << world.story();
+  }
+}
+
+// Its ARM is on its way then.
+TEST_P(cut_start, a_start_that_is_stopped_in_the_moment_of_its_arm_leaves_nothing_armed) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1, .most_delay_ms = 100});
+  begin(world);
+  ASSERT_TRUE(world.run_until([&] { return world.arms() > 0; }, 20)) << world.story();
+  ASSERT_TRUE(world.say(command_kind::pause).is_taken) << world.sentence();
+  world.run_for(4);
+  EXPECT_FALSE(world.vehicle().describe().armed) << world.story();
+  EXPECT_EQ(world.durable().status.now, phase::paused) << world.story();
+  EXPECT_EQ(world.starts(), 0) << world.story();
+}
+
+// Only the way to the vehicle is left: what it does by then nobody knows.
+TEST_P(cut_start, nothing_is_disarmed_unheard_and_nobody_who_has_armed_it_by_hand) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+  begin(world);
+  ASSERT_TRUE(world.run_until([&] { return world.arms() > 0; }, 20)) << world.story();
+  world.deafen(20);
+  world.run_for(3);
+  world.disarm_by_hand();
+  world.run_for(0.5);
+  world.arm_by_hand();
+  world.run_for(18);
+  if (GetParam() == sim::personality::rover) { // the others disarm by themselves
+    EXPECT_TRUE(world.vehicle().describe().armed) << world.story();
+  }
+  EXPECT_EQ(world.disarms(), 0) << world.story();
+}
+
+INSTANTIATE_TEST_SUITE_P(each, cut_start,
+                         testing::Values(sim::personality::px4, sim::personality::ardupilot, sim::personality::rover));
+
+} // namespace cut_start_test
+} // namespace godwit::executor

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <cstring>
 #include <numeric>
+#include <utility>
 
+#include <opencv2/core/hal/intrin.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "programs/godwit-eyes/detection/own_motion.hpp"
+#include "programs/godwit-eyes/detection/places.hpp"
 
 namespace godwit::eyes {
 
@@ -22,6 +24,7 @@ constexpr float oldest = 40;       // pictures; older ones are forgotten at this
 constexpr float fits_squared = 6;  // of a deviation to the variance: it is the same thing
 constexpr float found_squared = 5; // it may be a mover
 constexpr float sure_squared = 20; // it surely differs
+constexpr int least_outside = 8;   // grey levels: less is within found_squared of the least variance
 constexpr float young = background_model::pictures_to_know;
 constexpr double least_scale = 0.8;
 constexpr double most_scale = 1.25;
@@ -32,21 +35,6 @@ std::array<cv::Point2d, 4> corners_of(const cv::Size& size) {
   const double right = size.width - 1;
   const double bottom = size.height - 1;
   return {cv::Point2d(0, 0), cv::Point2d(right, 0), cv::Point2d(right, bottom), cv::Point2d(0, bottom)};
-}
-
-void start(cv::Vec3f& mode, float value, float age) { mode = {value, first_variance, age}; }
-
-// The mean follows by 1/age, the variance likewise.
-void refine(cv::Vec3f& mode, float deviation) {
-  const float share = 1 / (mode[2] + 1);
-  mode[0] += share * deviation;
-  mode[1] += share * (deviation * deviation - mode[1]);
-  mode[1] = std::clamp(mode[1], least_variance, most_variance);
-  mode[2] = std::min(mode[2] + 1, oldest);
-}
-
-bool is_like(const cv::Vec3f& mode, float deviation) {
-  return deviation * deviation < fits_squared * std::max(mode[1], least_variance);
 }
 
 // Rows in the order in which none is written over before it was read. What comes in is not known: zero.
@@ -67,18 +55,99 @@ void shift(cv::Mat& of, const cv::Point& by) {
   }
 }
 
-void learn(cv::Vec3f& ground, cv::Vec3f& other, float value) {
-  const float to_ground = value - ground[0];
-  if (is_like(ground, to_ground))
-    return refine(ground, to_ground);
-  const float to_other = value - other[0];
-  if (other[2] > 0 && is_like(other, to_other))
-    refine(other, to_other);
+// One row of a mode.
+struct mode_row {
+  float* mean;
+  float* variance;
+  float* age;
+  void start(int x, float value) const {
+    mean[x] = value;
+    variance[x] = first_variance;
+    age[x] = 1;
+  }
+  [[nodiscard]] bool is_like(int x, float value) const {
+    return (value - mean[x]) * (value - mean[x]) < fits_squared * std::max(variance[x], least_variance);
+  }
+  // The mean follows by 1/age, the variance likewise.
+  void refine(int x, float value) const {
+    const float share = 1 / (age[x] + 1);
+    const float deviation = value - mean[x];
+    mean[x] += share * deviation;
+    variance[x] =
+        std::clamp(variance[x] + share * (deviation * deviation - variance[x]), least_variance, most_variance);
+    age[x] = std::min(age[x] + 1, oldest);
+  }
+};
+
+mode_row row_of(std::array<cv::Mat, 3>& planes, int y, int left) {
+  return {planes[0].ptr<float>(y) + left, planes[1].ptr<float>(y) + left, planes[2].ptr<float>(y) + left};
+}
+
+constexpr int at_once = 4;
+
+// The next four pixels as numbers.
+cv::v_float32x4 four(const std::uint8_t* of) {
+  return cv::v_cvt_f32(cv::v_reinterpret_as_s32(cv::v_load_expand_q(of)));
+}
+
+// What does not fit goes to the other mode, which takes the place of the ground when it has become older.
+void learn(const mode_row& ground, const mode_row& other, int x, float value) {
+  if (ground.age[x] < 1)
+    return ground.start(x, value);
+  if (other.age[x] > 0 && other.is_like(x, value))
+    other.refine(x, value);
   else
-    start(other, value, 1);
-  if (other[2] > ground[2]) {
-    ground = other;
-    other = {0, first_variance, 0};
+    other.start(x, value);
+  if (other.age[x] <= ground.age[x])
+    return;
+  ground.mean[x] = other.mean[x];
+  ground.variance[x] = other.variance[x];
+  ground.age[x] = other.age[x];
+  other.age[x] = 0;
+}
+
+// Between four pixels, in proportion; at the border the nearest one.
+float between(const cv::Mat& of, const cv::Point& place) {
+  constexpr int half = 1 << (place_bits - 1);
+  constexpr float share = 1.0F / (1 << place_bits);
+  constexpr int below_one = (1 << place_bits) - 1;
+  const cv::Point at(place.x >> place_bits, place.y >> place_bits);
+  if (!cv::Rect(0, 0, of.cols - 1, of.rows - 1).contains(at))
+    return of.at<float>((place.y + half) >> place_bits, (place.x + half) >> place_bits);
+  const float right = static_cast<float>(place.x & below_one) * share;
+  const float below = static_cast<float>(place.y & below_one) * share;
+  const float* const upper = of.ptr<float>(at.y) + at.x;
+  const float* const lower = of.ptr<float>(at.y + 1) + at.x;
+  return (1 - below) * ((1 - right) * upper[0] + right * upper[1]) +
+         below * ((1 - right) * lower[0] + right * lower[1]);
+}
+
+// One row of pixels, several at once by OpenCV's universal intrinsics: most of the picture is ground. What fits makes
+// the ground surer. WIDTH: a multiple of `at_once`.
+void learn_row(const mode_row& ground, const mode_row& other, const std::uint8_t* laid, const std::uint8_t* is_known,
+               int width) {
+  const auto all = [](float value) { return cv::v_setall_f32(value); };
+  const auto one = all(1);
+  for (int x = 0; x < width; x += at_once) {
+    const auto known = cv::v_min(four(is_known + x), one);
+    const auto mean = cv::v_load(ground.mean + x);
+    const auto variance = cv::v_load(ground.variance + x);
+    const auto age = cv::v_load(ground.age + x);
+    const auto deviation = four(laid + x) - mean;
+    const auto squared = deviation * deviation;
+    const auto fits = (squared < all(fits_squared) * cv::v_max(variance, all(least_variance))) & (age >= one);
+    const auto does = fits & known;
+    const auto share = does / (age + one);
+    const auto next = variance + share * (squared - variance);
+    cv::v_store(ground.mean + x, mean + share * deviation);
+    cv::v_store(ground.variance + x,
+                cv::v_select(fits, cv::v_min(cv::v_max(next, all(least_variance)), all(most_variance)), variance));
+    cv::v_store(ground.age + x, cv::v_min(age + does, all(oldest)));
+    if (cv::v_check_all(does + one - known >= one))
+      continue;
+    for (int n = x; n < x + at_once; ++n)
+      if (is_known[n] != 0 && (ground.age[n] < 1 || !ground.is_like(n, laid[n])))
+        learn(ground, other, n, laid[n]);
   }
 }
 
@@ -87,10 +156,10 @@ void learn(cv::Vec3f& ground, cv::Vec3f& other, float value) {
 const cv::Mat& background_model::look(const cv::Mat& now, const cv::Matx33d& before_to_now) {
   canvas_to_now_ = before_to_now * canvas_to_now_;
   const cv::Rect canvas(cv::Point(), canvas_);
-  if (ground_.empty() || !has_like_scale(now.size()) ||
+  if (mean_.empty() || !has_like_scale(now.size()) ||
       ((bounds_of(now.size()) & canvas) != bounds_of(now.size()) && !shift_canvas(now.size())))
     lay_canvas(now.size());
-  const cv::Rect part = bounds_of(now.size()) & cv::Rect(cv::Point(), canvas_);
+  const cv::Rect part = part_of(now.size());
   lay_picture(now, part);
   match_brightness(part);
   const cv::Mat mean = mean_(part);
@@ -99,14 +168,29 @@ const cv::Mat& background_model::look(const cv::Mat& now, const cv::Matx33d& bef
   cv::dilate(mean, highest_, around);
   update(part);
   const cv::Matx33d part_to_now = canvas_to_now_ * cv::Matx33d(1, 0, part.x, 0, 1, part.y, 0, 0, 1);
-  cv::warpPerspective(found_, mask_, part_to_now, now.size(), cv::INTER_NEAREST);
+  mask_ = cv::Mat::zeros(now.size(), CV_8UC1);
+  for_each_run(now.size(), part_to_now.inv(), [&](const placed_run& run) {
+    std::uint8_t* const mask = mask_.ptr<std::uint8_t>(run.y);
+    for_each_nearest(run, found_.size(), [&](int x, int column, int row) {
+      mask[x] = found_.data[static_cast<std::size_t>(row) * found_.step[0] + column];
+    });
+  });
   return mask_;
 }
 
 void background_model::forget() {
-  ground_.release();
+  mean_.release();
   shadows_.forget();
   canvas_to_now_ = cv::Matx33d::eye();
+}
+
+// Of the canvas, that the picture covers; its width is a multiple of `at_once`, as that of the canvas is.
+cv::Rect background_model::part_of(const cv::Size& picture) const {
+  cv::Rect part = bounds_of(picture) & cv::Rect(cv::Point(), canvas_);
+  const int right = (part.br().x + at_once - 1) / at_once * at_once;
+  part.x = part.x / at_once * at_once;
+  part.width = right - part.x;
+  return part;
 }
 
 // Neither much larger nor much smaller there than it is.
@@ -129,31 +213,35 @@ bool background_model::shift_canvas(const cv::Size& picture) {
   if (laid.width > canvas_.width || laid.height > canvas_.height)
     return false;
   const cv::Point by((canvas_.width - laid.width) / 2 - laid.x, (canvas_.height - laid.height) / 2 - laid.y);
-  for (cv::Mat* const each : {&ground_, &other_, &mean_})
-    shift(*each, by);
+  for (auto* const mode : {&ground_, &other_})
+    for (auto& plane : *mode)
+      shift(plane, by);
+  shift(mean_, by);
   canvas_to_now_ = canvas_to_now_ * cv::Matx33d(1, 0, -by.x, 0, 1, -by.y, 0, 0, 1);
   return true;
 }
 
 void background_model::lay_canvas(const cv::Size& picture) {
   const cv::Matx33d new_to_now(1, 0, -margin, 0, 1, -margin, 0, 0, 1);
-  const cv::Size size(picture.width + 2 * margin, picture.height + 2 * margin);
-  if (ground_.empty()) {
-    ground_ = cv::Mat::zeros(size, CV_32FC3);
-    other_ = cv::Mat::zeros(size, CV_32FC3);
-    mean_ = cv::Mat::zeros(size, CV_8UC1);
-  } else {
-    const cv::Matx33d old_to_new = new_to_now.inv() * canvas_to_now_;
-    cv::Mat ground;
-    cv::Mat other;
-    cv::Mat mean;
-    cv::warpPerspective(ground_, ground, old_to_new, size, cv::INTER_LINEAR);
-    cv::warpPerspective(other_, other, old_to_new, size, cv::INTER_NEAREST);
-    cv::warpPerspective(mean_, mean, old_to_new, size, cv::INTER_LINEAR);
-    ground_ = ground;
-    other_ = other;
-    mean_ = mean;
-  }
+  const cv::Size size((picture.width + 2 * margin + at_once - 1) / at_once * at_once, picture.height + 2 * margin);
+  const auto old_ground = std::exchange(ground_, {});
+  const auto old_other = std::exchange(other_, {});
+  const cv::Mat old_mean = std::exchange(mean_, {});
+  for (auto* const mode : {&ground_, &other_})
+    for (auto& plane : *mode)
+      plane = cv::Mat::zeros(size, CV_32FC1);
+  mean_ = cv::Mat::zeros(size, CV_8UC1);
+  if (!old_mean.empty())
+    for_each_run(size, canvas_to_now_.inv() * new_to_now, [&](const placed_run& run) {
+      for_each_nearest(run, old_mean.size(), [&](int x, int column, int row) {
+        const cv::Point at = run.place + (x - run.begin) * run.step;
+        for (std::size_t n = 0; n < ground_.size(); ++n) {
+          ground_[n].at<float>(run.y, x) = between(old_ground[n], at); // half a pixel off, edges would differ
+          other_[n].at<float>(run.y, x) = old_other[n].at<float>(row, column);
+        }
+        mean_.at<std::uint8_t>(run.y, x) = cv::saturate_cast<std::uint8_t>(ground_[0].at<float>(run.y, x));
+      });
+    });
   canvas_ = size;
   canvas_to_now_ = new_to_now;
 }
@@ -173,18 +261,32 @@ cv::Rect background_model::bounds_of(const cv::Size& picture) const {
           cv::Point(static_cast<int>(std::ceil(high.x)) + 1, static_cast<int>(std::ceil(high.y)) + 1)};
 }
 
+// Between four pixels, in proportion.
 void background_model::lay_picture(const cv::Mat& now, const cv::Rect& part) {
-  const cv::Matx33d part_to_now = canvas_to_now_ * cv::Matx33d(1, 0, part.x, 0, 1, part.y, 0, 0, 1);
-  cv::warpPerspective(now, laid_, part_to_now, part.size(), cv::INTER_LINEAR | cv::WARP_INVERSE_MAP,
-                      cv::BORDER_REPLICATE);
+  laid_.create(part.size(), CV_8UC1);
   is_known_ = cv::Mat::zeros(part.size(), CV_8UC1);
-  const cv::Matx33d to_part = part_to_now.inv();
-  std::array<cv::Point, 4> corners;
-  std::ranges::transform(corners_of(now.size()), corners.begin(), [&](const cv::Point2d& corner) {
-    const auto at = moved(to_part, corner);
-    return cv::Point(static_cast<int>(std::lround(at.x)), static_cast<int>(std::lround(at.y)));
+  const cv::Matx33d part_to_now = canvas_to_now_ * cv::Matx33d(1, 0, part.x, 0, 1, part.y, 0, 0, 1);
+  for_each_run(part.size(), part_to_now, [&](const placed_run& run) {
+    constexpr int one = 256;
+    constexpr int to_share = place_bits - 8;
+    std::uint8_t* const laid = laid_.ptr<std::uint8_t>(run.y);
+    std::uint8_t* const is_known = is_known_.ptr<std::uint8_t>(run.y);
+    cv::Point at = run.place;
+    for (int x = run.begin; x < run.end; ++x, at += run.step) {
+      const int column = at.x >> place_bits;
+      const int row = at.y >> place_bits;
+      if (column < 0 || row < 0 || column >= now.cols - 1 || row >= now.rows - 1)
+        continue;
+      const int right = (at.x >> to_share) & (one - 1);
+      const int below = (at.y >> to_share) & (one - 1);
+      const std::uint8_t* const upper = now.data + static_cast<std::size_t>(row) * now.step[0] + column;
+      const std::uint8_t* const lower = upper + now.step[0];
+      const int value = (upper[0] * (one - right) + upper[1] * right) * (one - below) +
+                        (lower[0] * (one - right) + lower[1] * right) * below;
+      laid[x] = static_cast<std::uint8_t>((value + one * one / 2) / (one * one));
+      is_known[x] = 255;
+    }
   });
-  cv::fillConvexPoly(is_known_, corners.data(), 4, cv::Scalar(255));
 }
 
 // One factor for the whole picture: automatic exposure. Least squares on a grid, once more without what does not fit.
@@ -192,14 +294,14 @@ void background_model::match_brightness(const cv::Rect& part) {
   constexpr int apart = 8;
   constexpr float most_difference = 18;
   const cv::Mat mean = mean_(part);
-  const cv::Mat ground = ground_(part);
+  const cv::Mat age = ground_[2](part);
   float factor = 1;
   for (int round = 0; round < 3; ++round) {
     double both = 0;
     double own = 0;
     for (int y = 0; y < part.height; y += apart)
       for (int x = 0; x < part.width; x += apart) {
-        if (is_known_.at<std::uint8_t>(y, x) == 0 || ground.at<cv::Vec3f>(y, x)[2] < young)
+        if (is_known_.at<std::uint8_t>(y, x) == 0 || age.at<float>(y, x) < young)
           continue;
         const float value = laid_.at<std::uint8_t>(y, x);
         const float known = mean.at<std::uint8_t>(y, x);
@@ -215,49 +317,39 @@ void background_model::match_brightness(const cv::Rect& part) {
     laid_.convertTo(laid_, CV_8U, factor);
 }
 
-std::uint8_t background_model::found_at(const cv::Vec3f& ground, int laid, int lowest, int highest) {
-  const int outside = std::max({laid - highest, lowest - laid, 0});
-  const float squared = static_cast<float>(outside * outside) / std::max(ground[1], least_variance);
-  if (squared <= found_squared)
+std::uint8_t background_model::found_at(float mean, float variance, int laid, int outside) {
+  const auto squared = static_cast<float>(outside * outside);
+  if (squared <= found_squared * variance)
     return 0;
-  const bool is_sure = squared > sure_squared;
+  const bool is_sure = squared > sure_squared * variance;
   const auto value = static_cast<float>(laid);
-  if (is_sure && value < ground[0])
-    shadows_.add(value / ground[0]);
+  if (is_sure && value < mean)
+    shadows_.add(value / mean);
   const auto ratio = shadows_.get();
   const bool is_shadow =
-      ratio && std::abs(value - *ratio * ground[0]) < std::max(least_shadow_tolerance, shadow_tolerance * ground[0]);
+      ratio && std::abs(value - *ratio * mean) < std::max(least_shadow_tolerance, shadow_tolerance * mean);
   if (is_shadow)
     return is_sure ? mask_value::shadow_sure : mask_value::shadow_may_be;
   return is_sure ? mask_value::sure : mask_value::may_be;
 }
 
 void background_model::update(const cv::Rect& part) {
-  found_.create(part.size(), CV_8UC1);
+  found_ = cv::Mat::zeros(part.size(), CV_8UC1);
+  const cv::Mat above = laid_ - highest_;
+  const cv::Mat below = lowest_ - laid_;
+  const cv::Mat outside = cv::max(above, below);
   for (int y = 0; y < part.height; ++y) {
     const std::uint8_t* const laid = laid_.ptr<std::uint8_t>(y);
     const std::uint8_t* const is_known = is_known_.ptr<std::uint8_t>(y);
-    const std::uint8_t* const lowest = lowest_.ptr<std::uint8_t>(y);
-    const std::uint8_t* const highest = highest_.ptr<std::uint8_t>(y);
+    const std::uint8_t* const by = outside.ptr<std::uint8_t>(y);
     std::uint8_t* const found = found_.ptr<std::uint8_t>(y);
-    std::uint8_t* const mean = mean_.ptr<std::uint8_t>(y + part.y) + part.x;
-    cv::Vec3f* const ground = ground_.ptr<cv::Vec3f>(y + part.y) + part.x;
-    cv::Vec3f* const other = other_.ptr<cv::Vec3f>(y + part.y) + part.x;
-    for (int x = 0; x < part.width; ++x) {
-      found[x] = 0;
-      if (is_known[x] == 0)
-        continue;
-      const float value = laid[x];
-      if (ground[x][2] < 1) {
-        start(ground[x], value, 1);
-      } else {
-        if (ground[x][2] >= young)
-          found[x] = found_at(ground[x], laid[x], lowest[x], highest[x]);
-        learn(ground[x], other[x], value);
-      }
-      mean[x] = static_cast<std::uint8_t>(ground[x][0] + 0.5F);
-    }
+    const mode_row ground = row_of(ground_, y + part.y, part.x);
+    for (int x = 0; x < part.width; ++x)
+      if (by[x] >= least_outside && is_known[x] != 0 && ground.age[x] >= young)
+        found[x] = found_at(ground.mean[x], std::max(ground.variance[x], least_variance), laid[x], by[x]);
+    learn_row(ground, row_of(other_, y + part.y, part.x), laid, is_known, part.width);
   }
+  ground_[0](part).convertTo(mean_(part), CV_8U);
   shadows_.end_picture();
 }
 

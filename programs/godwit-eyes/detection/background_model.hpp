@@ -71,16 +71,17 @@ private:
   [[nodiscard]] bool has_like_scale(const cv::Size& picture) const;
   [[nodiscard]] bool shift_canvas(const cv::Size& picture);
   [[nodiscard]] cv::Rect bounds_of(const cv::Size& picture) const;
+  [[nodiscard]] cv::Rect part_of(const cv::Size& picture) const;
   void lay_picture(const cv::Mat& now, const cv::Rect& part);
   void match_brightness(const cv::Rect& part);
   void update(const cv::Rect& part);
-  [[nodiscard]] std::uint8_t found_at(const cv::Vec3f& ground, int laid, int lowest, int highest);
+  [[nodiscard]] std::uint8_t found_at(float mean, float variance, int laid, int outside);
 
   cv::Matx33d canvas_to_now_ = cv::Matx33d::eye();
   cv::Size canvas_;
-  cv::Mat ground_; // three floats a pixel: mean, variance, age in pictures (0: nothing is known)
-  cv::Mat other_;  // the same, of what may become ground
-  cv::Mat mean_;   // of the ground, as bytes
+  std::array<cv::Mat, 3> ground_; // mean, variance, age in pictures (0: nothing is known)
+  std::array<cv::Mat, 3> other_;  // the same, of what may become ground
+  cv::Mat mean_;                  // of the ground, as bytes
   shadow_ratio shadows_;
   // Of the part of the canvas that the picture covers:
   cv::Mat laid_;             // the picture

@@ -50,14 +50,14 @@ blob counted(const labelled& in, const cv::Rect& around, int label) {
   bounds lit;
   for (int y = around.y; y < around.br().y; ++y) {
     const std::uint8_t* const row = in.dense.ptr<std::uint8_t>(y);
-    const std::uint8_t* const shade_row = in.shade.ptr<std::uint8_t>(y);
-    const auto* const label_row = in.labels.ptr<std::int32_t>(y);
+    const std::uint8_t* const shade_row = in.shade.empty() ? nullptr : in.shade.ptr<std::uint8_t>(y);
+    const std::uint16_t* const label_row = in.labels.ptr<std::uint16_t>(y);
     for (int x = around.x; x < around.br().x; ++x) {
       if (label_row[x] != label || row[x] == 0)
         continue;
       made.sure += row[x] >= sure_from ? 1 : 0;
       all.add(x, y);
-      if (shade_row[x] == 0)
+      if (shade_row == nullptr || shade_row[x] == 0)
         lit.add(x, y);
     }
   }
@@ -66,6 +66,16 @@ blob counted(const labelled& in, const cv::Rect& around, int label) {
   const bool is_lit = lit.pixels >= fewest_pixels && lit.pixels >= least_lit_share * all.pixels;
   made.box = is_lit ? lit.box() : all.box();
   return made;
+}
+
+// Where the mask is as dark as a shadow; empty: nowhere.
+cv::Mat shade_of(const cv::Mat& mask) {
+  cv::Mat shade = (mask == mask_value::shadow_may_be) | (mask == mask_value::shadow_sure);
+  cv::medianBlur(shade, shade, 3); // what matches by chance stands alone
+  if (cv::countNonZero(shade) == 0)
+    return {};
+  cv::dilate(shade, shade, cv::Mat()); // the edge of a shadow is half lit
+  return shade;
 }
 
 } // namespace
@@ -81,13 +91,11 @@ blobs_found find_blobs(const cv::Mat& mask, blob_source from) {
   const int across = from == blob_source::background ? closing : closing_of_edges;
   cv::morphologyEx(dense > 0, closed, cv::MORPH_CLOSE,
                    cv::getStructuringElement(cv::MORPH_RECT, cv::Size(across, across)));
-  cv::Mat shade = (mask == mask_value::shadow_may_be) | (mask == mask_value::shadow_sure);
-  cv::medianBlur(shade, shade, 3);     // what matches by chance stands alone
-  cv::dilate(shade, shade, cv::Mat()); // the edge of a shadow is half lit
+  const cv::Mat shade = from == blob_source::background ? shade_of(mask) : cv::Mat();
   cv::Mat labels;
   cv::Mat stats;
   cv::Mat middles;
-  const int count = cv::connectedComponentsWithStats(closed, labels, stats, middles, 8, CV_32S);
+  const int count = cv::connectedComponentsWithStats(closed, labels, stats, middles, 8, CV_16U);
   for (int n = 1; n < count; ++n) {
     const cv::Rect around(stats.at<int>(n, cv::CC_STAT_LEFT), stats.at<int>(n, cv::CC_STAT_TOP),
                           stats.at<int>(n, cv::CC_STAT_WIDTH), stats.at<int>(n, cv::CC_STAT_HEIGHT));

@@ -1,11 +1,13 @@
 #include "programs/godwit-eyes/detection/change.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <opencv2/imgproc.hpp>
 
 #include "programs/godwit-eyes/detection/background_model.hpp"
+#include "programs/godwit-eyes/detection/places.hpp"
 
 namespace godwit::eyes {
 
@@ -17,7 +19,13 @@ constexpr int sure_by = 2;        // times the noise
 } // namespace
 
 void recent_change::add(const cv::Mat& picture, double dt_s, const cv::Matx33d& before_to_now) {
-  add_newest(pictures_, picture, dt_s, before_to_now);
+  now_ = picture;
+  std::array<cv::Mat, 2> range;
+  cv::erode(picture, range[0], cv::Mat());
+  cv::dilate(picture, range[1], cv::Mat());
+  cv::Mat ranges;
+  cv::merge(range.data(), range.size(), ranges);
+  add_newest(pictures_, ranges, dt_s, before_to_now);
   while (pictures_.size() > most_pictures || pictures_.front().age_s > longest_s)
     pictures_.pop_front();
 }
@@ -40,30 +48,46 @@ const past_picture* recent_change::of_age(double age_s) const {
   return best;
 }
 
-// By how many grey levels; 0 where the earlier picture does not reach.
-cv::Mat recent_change::difference_to(const past_picture& from) const {
-  const cv::Mat& now = pictures_.back().picture;
-  cv::Mat laid;
-  cv::warpPerspective(from.picture, laid, from.to_now, now.size(), cv::INTER_LINEAR, cv::BORDER_CONSTANT, 0);
-  cv::Mat highest;
-  cv::Mat lowest;
-  cv::dilate(laid, highest, cv::Mat());
-  cv::erode(laid, lowest, cv::Mat());
-  const cv::Mat above = now - highest;
-  const cv::Mat below = lowest - now;
-  cv::Mat differs = cv::max(above, below);
-  differs.setTo(0, lowest == 0);
-  return differs;
+namespace {
+
+// By how many grey levels each pixel of a run lies outside of what the earlier picture has around the place where the
+// ground was; 0 where that one does not reach. The nearest pixel is as good as one between pixels: those around it
+// count as well. Whether one is more than LEAST.
+bool add_differences(const placed_run& run, const std::uint8_t* now, const cv::Mat& ranges, int least,
+                     std::uint8_t* differs) {
+  bool is_any = false;
+  for_each_nearest(run, ranges.size(), [&](int x, int column, int row) {
+    const std::uint8_t* const range = ranges.data + static_cast<std::size_t>(row) * ranges.step[0] + 2 * column;
+    const int by = std::max({range[0] - now[x], now[x] - range[1], 0});
+    differs[x - run.begin] = static_cast<std::uint8_t>(by);
+    is_any = is_any || by > least;
+  });
+  return is_any;
 }
 
+} // namespace
+
 cv::Mat recent_change::find(double gap_s, int least) const {
+  cv::Mat mask = cv::Mat::zeros(now_.size(), CV_8UC1);
   const past_picture* const first = of_age(gap_s);
   const past_picture* const second = of_age(2 * gap_s);
   if (first == nullptr || second == nullptr || first == second)
-    return cv::Mat::zeros(pictures_.back().picture.size(), CV_8UC1);
-  const cv::Mat differs = cv::min(difference_to(*first), difference_to(*second));
-  cv::Mat mask = (differs > least) & cv::Scalar(mask_value::may_be);
-  mask.setTo(mask_value::sure, differs > sure_by * least);
+    return mask;
+  const cv::Matx33d to_second = second->to_now.inv();
+  for_each_run(now_.size(), first->to_now.inv(), [&](const placed_run& run) {
+    const std::uint8_t* const now = now_.ptr<std::uint8_t>(run.y);
+    std::array<std::uint8_t, longest_run> to_first{};
+    if (!add_differences(run, now, first->picture, least, to_first.data()))
+      return; // most of the picture
+    std::array<std::uint8_t, longest_run> to_both{};
+    add_differences(placed(run, to_second), now, second->picture, least, to_both.data());
+    for (int x = run.begin; x < run.end; ++x) {
+      const auto n = static_cast<std::size_t>(x - run.begin);
+      const int by = std::min(to_first[n], to_both[n]);
+      if (by > least)
+        mask.at<std::uint8_t>(run.y, x) = by > sure_by * least ? mask_value::sure : mask_value::may_be;
+    }
+  });
   return mask;
 }
 

@@ -50,9 +50,9 @@ public:
 
 private:
   [[nodiscard]] const past_picture* of_age(double age_s) const;
-  [[nodiscard]] cv::Mat difference_to(const past_picture& from) const;
 
-  past_pictures pictures_;
+  cv::Mat now_;
+  past_pictures pictures_; // of each pixel the least and the most of the nine around it
 };
 
 } // namespace godwit::eyes

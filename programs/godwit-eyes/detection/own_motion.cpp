@@ -1,7 +1,9 @@
 #include "programs/godwit-eyes/detection/own_motion.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include <opencv2/calib3d.hpp>
 #include <opencv2/features2d.hpp>
@@ -32,18 +34,22 @@ constexpr double least_spread = 0.15; // share of the grid's cells with an inlie
 constexpr int consensus_rounds = 400;
 constexpr double consensus_confidence = 0.999;
 
-std::vector<cv::Point2f> chosen(std::vector<cv::KeyPoint>& found, const cv::Size& size) {
-  std::ranges::sort(found, [](const auto& a, const auto& b) {
-    return a.response != b.response ? a.response > b.response : a.pt.y != b.pt.y ? a.pt.y < b.pt.y : a.pt.x < b.pt.x;
-  });
-  std::vector<std::size_t> taken(static_cast<std::size_t>(columns * rows));
-  std::vector<cv::Point2f> corners;
+// The best ones of each cell.
+std::vector<cv::Point2f> chosen(const std::vector<cv::KeyPoint>& found, const cv::Size& size) {
+  std::vector<std::array<const cv::KeyPoint*, most_a_cell>> best(static_cast<std::size_t>(columns * rows));
   for (const auto& each : found) {
     const int column = std::min(columns - 1, static_cast<int>(each.pt.x) * columns / size.width);
     const int row = std::min(rows - 1, static_cast<int>(each.pt.y) * rows / size.height);
-    if (taken[static_cast<std::size_t>(row * columns + column)]++ < most_a_cell)
-      corners.push_back(each.pt);
+    const cv::KeyPoint* candidate = &each;
+    for (auto& kept : best[static_cast<std::size_t>(row * columns + column)])
+      if (candidate != nullptr && (kept == nullptr || candidate->response > kept->response))
+        std::swap(kept, candidate);
   }
+  std::vector<cv::Point2f> corners;
+  for (const auto& cell : best)
+    for (const auto* const each : cell)
+      if (each != nullptr)
+        corners.push_back(each->pt);
   return corners;
 }
 
@@ -128,11 +134,11 @@ motion_found own_motion::step(const cv::Mat& now, const std::optional<cv::Matx33
   if (!pyramid_.empty() && before_.size() == now.size() && !corners_.empty()) {
     std::vector<cv::Point2f> to;
     for (const auto& each : corners_)
-      to.push_back(guess ? cv::Point2f(moved(*guess, each)) : each);
+      to.push_back(cv::Point2f(moved(guess.value_or(last_), each)));
     std::vector<std::uint8_t> is_tracked;
     std::vector<float> error;
     cv::calcOpticalFlowPyrLK(pyramid_, pyramid, corners_, to, is_tracked, error, window, levels,
-                             cv::TermCriteria(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 15, 0.02),
+                             cv::TermCriteria(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 10, 0.03),
                              cv::OPTFLOW_USE_INITIAL_FLOW);
     pairs kept;
     const cv::Rect2f inside(1, 1, static_cast<float>(now.cols - 2), static_cast<float>(now.rows - 2));
@@ -148,6 +154,7 @@ motion_found own_motion::step(const cv::Mat& now, const std::optional<cv::Matx33
     found.why = unusable::few_features;
   }
   failures_ = 0;
+  last_ = found.why == unusable::none ? found.before_to_now : cv::Matx33d::eye();
   pyramid_ = std::move(pyramid);
   before_ = now;
   corners_ = corners_of(now);
@@ -158,6 +165,7 @@ void own_motion::forget() {
   pyramid_.clear();
   corners_.clear();
   before_.release();
+  last_ = cv::Matx33d::eye();
   failures_ = 0;
 }
 

@@ -34,7 +34,8 @@ public:
 private:
   std::vector<cv::Mat> pyramid_; // of the picture before
   cv::Mat before_;
-  std::vector<cv::Point2f> corners_; // of the picture before
+  std::vector<cv::Point2f> corners_;      // of the picture before
+  cv::Matx33d last_ = cv::Matx33d::eye(); // how the ground moved last: the guess where there is no better one
   int failures_ = 0;
 };
 

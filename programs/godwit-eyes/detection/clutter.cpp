@@ -18,10 +18,13 @@ constexpr int unlike_from = 16;
 constexpr double gain_a_s = 30; // of the evidence
 constexpr int evidence_lost = 30;
 constexpr int enough_evidence = 60;
+constexpr int enough_in_turn = 3; // comparisons: by then it is doubted
+constexpr int unlike_itself = 12;
+constexpr int fewest_beside = 3; // of nine pixels
 constexpr int most_evidence = 250;
 constexpr int fewest_still_pixels = 12; // single ones are chance
 const cv::Size between_letters(41, 11); // digits that change lie among letters that stay
-const cv::Size around_it(13, 13);
+const cv::Size around_it(11, 11);
 
 // The least way of the corners and the middle.
 double way_of(const cv::Matx33d& by, const cv::Size& size) {
@@ -34,11 +37,26 @@ double way_of(const cv::Matx33d& by, const cv::Size& size) {
   return least;
 }
 
+// With what lies between letters and around them; empty: nothing. A pixel that has hardly a like one beside it is
+// chance.
+cv::Mat marked(const cv::Mat& stays) {
+  cv::Mat beside;
+  cv::boxFilter(stays, beside, CV_16U, cv::Size(3, 3), cv::Point(-1, -1), false);
+  cv::Mat dense = stays & (beside >= fewest_beside * 255);
+  if (cv::countNonZero(dense) < fewest_still_pixels)
+    return {};
+  cv::morphologyEx(dense, dense, cv::MORPH_CLOSE, cv::getStructuringElement(cv::MORPH_RECT, between_letters));
+  cv::dilate(dense, dense, cv::getStructuringElement(cv::MORPH_RECT, around_it));
+  return dense;
+}
+
 } // namespace
 
 void still_parts::step(const cv::Mat& now, double dt_s, const cv::Matx33d& before_to_now) {
   if (evidence_.size() != now.size()) {
     evidence_ = cv::Mat::zeros(now.size(), CV_8UC1);
+    in_turn_ = cv::Mat::zeros(now.size(), CV_8UC1);
+    doubtful_.release();
     still_.release();
     reference_.release();
   }
@@ -65,16 +83,22 @@ void still_parts::compare(const cv::Mat& now) {
   cv::add(evidence_, cv::Scalar(std::max(1.0, std::round(gain_a_s * reference_age_s_))), evidence_, stays);
   cv::subtract(evidence_, cv::Scalar(evidence_lost), evidence_, from_itself >= 2 * like_below);
   cv::min(evidence_, most_evidence, evidence_);
-  still_ = evidence_ >= enough_evidence;
-  if (cv::countNonZero(still_) < fewest_still_pixels)
-    return still_.release();
-  cv::morphologyEx(still_, still_, cv::MORPH_CLOSE, cv::getStructuringElement(cv::MORPH_RECT, between_letters));
-  cv::dilate(still_, still_, cv::getStructuringElement(cv::MORPH_RECT, around_it));
+  still_ = marked(evidence_ >= enough_evidence);
+  cv::add(in_turn_, cv::Scalar(1), in_turn_, stays);
+  in_turn_.setTo(0, from_itself > unlike_itself);
+  doubtful_ = marked(in_turn_ >= enough_in_turn);
 }
 
 void still_parts::clear(cv::Mat& mask) const {
   if (!still_.empty())
     mask.setTo(0, still_);
+}
+
+bool still_parts::may_stand(const cv::Rect2d& box) const {
+  if (doubtful_.empty())
+    return false;
+  const cv::Rect inside = cv::Rect(box) & cv::Rect(cv::Point(), doubtful_.size());
+  return !inside.empty() && 2 * cv::countNonZero(doubtful_(inside)) > inside.area();
 }
 
 namespace {

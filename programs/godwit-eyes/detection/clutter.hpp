@@ -24,6 +24,8 @@ public:
   void lose() { reference_.release(); }
   // Takes it out of a mask; nothing changes where nothing stands still.
   void clear(cv::Mat& mask) const;
+  // Whether most of a box has stood still for a moment: text, or a mover that the camera follows.
+  [[nodiscard]] bool may_stand(const cv::Rect2d& box) const;
 
 private:
   void compare(const cv::Mat& now);
@@ -32,7 +34,9 @@ private:
   cv::Matx33d reference_to_now_ = cv::Matx33d::eye();
   double reference_age_s_ = 0;
   cv::Mat evidence_; // a byte a pixel
+  cv::Mat in_turn_;  // in so many comparisons it stayed, the last one among them
   cv::Mat still_;    // 255 where something stands still, and around it; empty: nothing does
+  cv::Mat doubtful_; // likewise, for a moment at least
 };
 
 // Where in the picture the background can not be trusted: leaves, edges of what stands high, glints. Blobs there come

@@ -234,11 +234,18 @@ unusable detector::parts::find(const cv::Mat& now, verdict& said) {
   figures.corner_shift_px = corner_shift(full, cv::Size(width, height));
   const cv::Matx33d& before_to_now = moved_by.before_to_now;
   stands.step(smooth, dt_s, before_to_now);
-  const auto without_still = [this](cv::Mat mask) {
+  const auto followed = tracks.confirmed_boxes(before_to_now);
+  // What may be drawn into the picture begins nothing, and is part of what is followed already.
+  const auto blobs_of = [&](cv::Mat mask, blob_source from) {
     stands.clear(mask);
-    return mask;
+    blobs_found found = find_blobs(mask, from);
+    std::erase_if(found.blobs, [&](const blob& each) {
+      return stands.may_stand(each.box) &&
+             std::ranges::none_of(followed, [&](const cv::Rect2d& box) { return box.contains(middle_of(each.box)); });
+    });
+    return found;
   };
-  const auto background_blobs = find_blobs(without_still(background.look(smooth, before_to_now)));
+  const auto background_blobs = blobs_of(background.look(smooth, before_to_now), blob_source::background);
   figures.changed_share = background_blobs.changed_share;
   clutter.step(background_blobs.blobs, dt_s, before_to_now, now.size());
   change.add(smooth, dt_s, before_to_now);
@@ -247,9 +254,8 @@ unusable detector::parts::find(const cv::Mat& now, verdict& said) {
   blobs_found slow_difference;
   const bool can_prove = sights.size() >= 2;
   if (!can_prove && (!clutter.is_calm() || tracks.needs_differences())) {
-    difference = find_blobs(without_still(change.find(recent_change::quick_s, least)), blob_source::difference);
-    slow_difference =
-        find_blobs(without_still(change.find(recent_change::slow_s, least)), blob_source::slow_difference);
+    difference = blobs_of(change.find(recent_change::quick_s, least), blob_source::difference);
+    slow_difference = blobs_of(change.find(recent_change::slow_s, least), blob_source::slow_difference);
   }
   proof.add(smooth, dt_s, before_to_now);
   tracker::prover proves;

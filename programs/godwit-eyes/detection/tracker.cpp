@@ -169,6 +169,18 @@ bool tracker::needs_differences() const {
   return std::ranges::any_of(tracks_, [](const track& each) { return each.is_confirmed && !is_by_background(each); });
 }
 
+std::vector<cv::Rect2d> tracker::confirmed_boxes(const cv::Matx33d& ground) const {
+  std::vector<cv::Rect2d> boxes;
+  for (const auto& each : tracks_) {
+    if (!each.is_confirmed)
+      continue;
+    const cv::Rect2d box = box_of(each);
+    const cv::Point2d at = moved(ground, middle_of(box));
+    boxes.emplace_back(at.x - box.width, at.y - box.height, 2 * box.width, 2 * box.height);
+  }
+  return boxes;
+}
+
 void tracker::carry(double dt_s, const cv::Matx33d& ground) {
   for (auto& each : tracks_) {
     each.filter.predict(dt_s, ground);

@@ -73,6 +73,8 @@ public:
             const cv::Size& picture, const prover& proves = {});
   // Whether a confirmed track may need the differences to be followed on.
   [[nodiscard]] bool needs_differences() const;
+  // Where what is confirmed can be in the next picture.
+  [[nodiscard]] std::vector<cv::Rect2d> confirmed_boxes(const cv::Matx33d& ground) const;
   [[nodiscard]] std::vector<track>& tracks() { return tracks_; }
   [[nodiscard]] const std::vector<track>& tracks() const { return tracks_; }
   void forget() {

@@ -22,8 +22,8 @@ cv::Mat ground() {
   return made;
 }
 
-// What is left of a mask that is full, after so many pictures over ground that goes to the left.
-cv::Mat left_after(int pictures, int way) {
+// After so many pictures over ground that goes to the left.
+still_parts parts_after(int pictures, int way) {
   const cv::Mat all = ground();
   cv::RNG random(3);
   still_parts of;
@@ -36,8 +36,13 @@ cv::Mat left_after(int pictures, int way) {
     walks.copyTo(now(follower));
     of.step(now, picture_s, cv::Matx33d(1, 0, -way, 0, 1, 0, 0, 0, 1));
   }
+  return of;
+}
+
+// What is left of a mask that is full.
+cv::Mat left_after(int pictures, int way) {
   cv::Mat mask(size, CV_8UC1, cv::Scalar(255));
-  of.clear(mask);
+  parts_after(pictures, way).clear(mask);
   return mask;
 }
 
@@ -50,6 +55,13 @@ TEST(still_parts, text_that_stands_while_the_ground_goes_by_is_cleared_and_nothi
 
 TEST(still_parts, nothing_is_cleared_before_it_stood_for_two_seconds) {
   EXPECT_EQ(cv::countNonZero(left_after(18, way_px)), size.area());
+}
+
+TEST(still_parts, text_is_doubted_after_half_a_second_and_a_mover_that_is_followed_and_the_ground_are_not) {
+  const still_parts of = parts_after(6, way_px);
+  EXPECT_TRUE(of.may_stand(text));
+  EXPECT_FALSE(of.may_stand(follower));
+  EXPECT_FALSE(of.may_stand(cv::Rect(200, 180, 60, 12)));
 }
 
 TEST(still_parts, where_the_ground_stands_too_nothing_can_be_known_to) {

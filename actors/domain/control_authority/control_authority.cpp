@@ -51,38 +51,42 @@ void control_authority::expect(std::vector<std::uint32_t> modes, std::int64_t no
   expected_ = std::move(modes);
   expected_until_ns_ = until_ns;
   heard_ns_ = now_ns;
+  silences_ns_ = 0;
 }
 
 void control_authority::expect_also(const std::vector<std::uint32_t>& modes, std::int64_t now_ns,
                                     std::int64_t until_ns) {
-  const auto before_ns = expected_until(now_ns);
-  if (now_ns >= before_ns)
+  if (now_ns >= expected_until_ns_ + silences_until(now_ns))
     expected_.clear();
   for (const auto each : modes)
     if (std::ranges::find(expected_, each) == expected_.end())
       expected_.push_back(each);
-  expected_until_ns_ = std::max(before_ns, until_ns);
+  expected_until_ns_ = std::max(expected_until_ns_, until_ns);
   heard_ns_ = now_ns;
+  silences_ns_ = 0;
 }
 
 void control_authority::withdraw(const std::vector<std::uint32_t>& modes) {
   std::erase_if(expected_, [&](auto each) { return std::ranges::find(modes, each) != modes.end(); });
 }
 
-// A silence in which it would have ended does not count.
-std::int64_t control_authority::expected_until(std::int64_t now_ns) const {
+// While something was expected.
+std::int64_t control_authority::silences_until(std::int64_t now_ns) const {
   const auto unheard_ns = now_ns - heard_ns_;
-  const bool counts = unheard_ns > silence_ns && heard_ns_ < expected_until_ns_;
-  return expected_until_ns_ + (counts ? unheard_ns : 0);
+  const bool counts = unheard_ns > silence_ns && heard_ns_ < expected_until_ns_ + silences_ns_;
+  return silences_ns_ + (counts ? unheard_ns : 0);
 }
 
 void control_authority::on_heartbeat(std::int64_t now_ns) {
-  expected_until_ns_ = expected_until(now_ns);
+  silences_ns_ = silences_until(now_ns);
   heard_ns_ = std::max(heard_ns_, now_ns);
 }
 
 bool control_authority::expects(const flight_mode& mode, std::int64_t now_ns) const {
-  return now_ns < expected_until(now_ns) && std::ranges::find(expected_, mode.custom_mode) != expected_.end();
+  // That it goes on or returns nobody could have seen in a silence; a hold may be of a person who stopped it then.
+  const bool moves = mode.kind == mode_kind::mission || mode.kind == mode_kind::returning;
+  return now_ns < expected_until_ns_ + (moves ? silences_until(now_ns) : 0) &&
+         std::ranges::find(expected_, mode.custom_mode) != expected_.end();
 }
 
 void control_authority::set_plan_end(plan_end end) {
@@ -137,7 +141,7 @@ void control_authority::on_current_mode(const mode_owner& whose, const told_mode
   if (!is_watching())
     return;
   const auto before = std::exchange(told_, told);
-  judge_intention(told, before, now_ns);
+  judge_intention(whose, told, before, now_ns);
   const auto& actual = told.actual;
   const bool is_settled = actual == *ours_ || (unclear_ && actual == unclear_->to) || expects(actual, now_ns);
   if (is_ours() && !is_settled && may_follow_disarm(whose, actual.custom_mode))
@@ -147,8 +151,8 @@ void control_authority::on_current_mode(const mode_owner& whose, const told_mode
 }
 
 // What was asked for before, or by us, is nobody's news. Without a word from before only what is ours is known.
-void control_authority::judge_intention(const told_modes& told, const std::optional<told_modes>& before,
-                                        std::int64_t now_ns) {
+void control_authority::judge_intention(const mode_owner& whose, const told_modes& told,
+                                        const std::optional<told_modes>& before, std::int64_t now_ns) {
   if (told.intended == 0)
     return;
   const bool is_obeyed = told.intended == told.actual.custom_mode;
@@ -157,11 +161,12 @@ void control_authority::judge_intention(const told_modes& told, const std::optio
     return;
   }
   const bool was_ours = told.intended == ours_->custom_mode;
+  const bool is_expected = expects(mode_of(whose, told.intended), now_ns);
   const bool is_known = was_ours || (before && before->intended == told.intended);
   const bool has_changed = before ? before->actual != told.actual : told.actual != *ours_;
-  if (is_ours() && before && !is_known && !expects({{}, told.intended}, now_ns))
+  if (is_ours() && before && !is_known && !is_expected)
     take_away(holder::person);
-  else if (is_ours() && has_changed && (is_known || expects({{}, told.intended}, now_ns)))
+  else if (is_ours() && has_changed && (is_known || is_expected))
     change_by_itself(told, now_ns);
   else if (who_ == holder::person && has_changed && is_known && taken_ns_ &&
            now_ns - *taken_ns_ <= failsafe_is_told_within_ns)

@@ -9,13 +9,14 @@
 //          ├──another mode, autopilot critical──> autopilot_failsafe    (or it says so within 3 s)
 //          └──any other change of the mode──────> person   <──┘
 //
-// An order names the exact modes that obey it and how long it may take, as far as the vehicle is heard: what comes
-// first after a silence may be its effect. Nothing else is expected. A plan's own change (mode_tables.hpp) is believed
-// once, and only where the vehicle says that it is at its end: until MISSION_CURRENT has told so, or has not for 4 s,
-// it is unclear who has the vehicle, and nothing may be sent. A person who puts the mode back still has it: only
-// begin() gives it back. An ArduPilot's own failsafe is known by its words, which come just before or just after the
-// mode; they only change whose a change is called, and never make it godwit's. Executor and failsafe have one each, and
-// a person whom either has seen is a person for both. Monotonic nanoseconds. Thread: pure.
+// An order names the exact modes that obey it and how long it may take; nothing else is expected. For a
+// mode that moves the vehicle a silence does not count: what comes first after it may be its effect. A hold may be that
+// of a person who has stopped the vehicle meanwhile. A plan's own change (mode_tables.hpp) is believed once, and only
+// where the vehicle says that it is at its end: until MISSION_CURRENT has told so, or has not for 4 s, it is unclear
+// who has the vehicle, and nothing may be sent. A person who puts the mode back still has it: only begin() gives it
+// back. An ArduPilot's own failsafe is known by its words, which come just before or just after the mode; they only
+// change whose a change is called, and never make it godwit's. Executor and failsafe have one each, and a person whom
+// either has seen is a person for both. Monotonic nanoseconds. Thread: pure.
 //
 // CURRENT_MODE (PX4) shows a change between two heartbeats, and also the mode that somebody has asked for last. Where
 // the actual mode alone has changed the autopilot's own failsafe has the vehicle, also in a mode that an order of ours
@@ -118,11 +119,12 @@ private:
 
   void adopt(const flight_mode& mode, holder who);
   void drop_expected(const flight_mode& mode);
-  [[nodiscard]] std::int64_t expected_until(std::int64_t now_ns) const;
+  [[nodiscard]] std::int64_t silences_until(std::int64_t now_ns) const;
   void change_by_itself(const told_modes& told, std::int64_t now_ns);
   [[nodiscard]] bool is_told(std::int64_t since_ns) const;
   void lose(bool is_critical, std::int64_t since_ns);
-  void judge_intention(const told_modes& told, const std::optional<told_modes>& before, std::int64_t now_ns);
+  void judge_intention(const mode_owner& whose, const told_modes& told, const std::optional<told_modes>& before,
+                       std::int64_t now_ns);
   [[nodiscard]] bool leads_to(const flight_mode& mode) const;
   [[nodiscard]] bool is_at_end() const;
 
@@ -131,7 +133,8 @@ private:
   bool was_ordered_ = false;        // the mode that is ours
   std::vector<std::uint32_t> expected_;
   std::int64_t expected_until_ns_ = 0;
-  std::int64_t heard_ns_ = 0; // or expected, if that is later
+  std::int64_t heard_ns_ = 0;    // or expected, if that is later
+  std::int64_t silences_ns_ = 0; // since then: the vehicle was not heard for so long
   plan_end plan_end_;
   std::optional<std::uint16_t> sequence_;
   bool is_complete_ = false;

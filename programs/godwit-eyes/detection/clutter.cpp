@@ -37,12 +37,12 @@ double way_of(const cv::Matx33d& by, const cv::Size& size) {
   return least;
 }
 
-// With what lies between letters and around them; empty: nothing. A pixel that has hardly a like one beside it is
+// With what lies between letters and around them; empty: nothing. A pixel that has hardly a like one around it is
 // chance.
 cv::Mat marked(const cv::Mat& stays) {
-  cv::Mat beside;
-  cv::boxFilter(stays, beside, CV_16U, cv::Size(3, 3), cv::Point(-1, -1), false);
-  cv::Mat dense = stays & (beside >= fewest_beside * 255);
+  cv::Mat around;
+  cv::boxFilter(stays, around, CV_16U, cv::Size(3, 3), cv::Point(-1, -1), false);
+  cv::Mat dense = stays & (around >= fewest_beside * 255);
   if (cv::countNonZero(dense) < fewest_still_pixels)
     return {};
   cv::morphologyEx(dense, dense, cv::MORPH_CLOSE, cv::getStructuringElement(cv::MORPH_RECT, between_letters));

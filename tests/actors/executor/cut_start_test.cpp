@@ -45,6 +45,25 @@ TEST_P(cut_start, a_start_that_was_obeyed_unheard_is_followed_and_what_was_flown
   }
 }
 
+// Its positions come before it is known what it does: they contradict nothing that it has flown in the silence.
+TEST_P(cut_start, one_whose_place_is_heard_before_its_mode_has_flown_what_lies_before_it) {
+  const double speed = GetParam() == sim::personality::rover ? 0.1 : 2;
+  flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = speed});
+  begin(world);
+  ASSERT_TRUE(world.run_until([&] { return world.starts() > 0; }, 20)) << world.story();
+  const double silence_s = GetParam() == sim::personality::rover ? 120 : 20;
+  world.cut_line(silence_s);
+  world.run_for(silence_s - 0.1);
+  world.lose_message(io::mavlink::heartbeat::message_id);
+  world.run_for(1.5);
+  world.lose_message(0);
+  std::string said;
+  (void)world.run_until([&] { return (said += world.sentence()), world.durable().status.now == phase::flying; }, 5);
+  EXPECT_EQ(said.find("stands armed"), std::string::npos) << said;
+  ASSERT_TRUE(world.run_until_phase(phase::done, 2'000)) << world.story();
+  EXPECT_EQ(skipped(world), 0) << world.story();
+}
+
 // From its middle until it stands disarmed, with a kill in it or without.
 TEST_P(cut_start, a_mission_that_was_completed_in_a_silence_is_complete_and_nothing_of_it_is_flown_again) {
   for (const bool is_killed : {false, true}) {
@@ -130,6 +149,29 @@ TEST_P(cut_start, nothing_is_disarmed_unheard_and_nobody_who_has_armed_it_by_han
     EXPECT_TRUE(world.vehicle().describe().armed) << world.story();
   }
   EXPECT_EQ(world.disarms(), 0) << world.story();
+}
+
+// The hold of a replan is lost in a silence, and a person stops the vehicle in it.
+TEST_P(cut_start, who_has_stopped_it_in_a_silence_in_which_a_replan_held_it_is_not_driven_on) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+  begin(world);
+  ASSERT_TRUE(world.run_until([&] { return tests::is_told(world, progress_kind::started, "w2"); }, 600))
+      << world.story();
+  auto longer = tests::short_mission(GetParam());
+  longer.revision = 2;
+  longer.items.insert(longer.items.end() - 1, tests::place(GetParam(), "w9", 30, 60));
+  world.lose_command(io::mavlink::number(io::mavlink::mav_cmd::do_set_mode), 100);
+  world.load(longer);
+  world.run_for(0.05);
+  world.cut_line(10);
+  world.run_for(6);
+  world.lose_command(0, 0);
+  world.switch_mode(drill::hold_mode(GetParam()));
+  world.run_for(3);
+  const auto starts = world.orders();
+  world.run_for(20);
+  EXPECT_EQ(world.durable().status.cause, pause_cause::taken_over) << world.story();
+  EXPECT_EQ(world.orders(), starts) << world.story();
 }
 
 INSTANTIATE_TEST_SUITE_P(each, cut_start,

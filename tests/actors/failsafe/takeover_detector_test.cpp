@@ -104,7 +104,6 @@ TEST(takeover_detector, a_hold_by_loiter_where_brake_was_ordered_is_a_pilot) {
 TEST(takeover_detector, a_mode_that_was_commanded_is_ours_for_a_while) {
   auto watch = on_mission();
   watch.expect({brakes.custom_mode}, 5'000, start);
-  EXPECT_FALSE(takes_over(watch, brakes, 40'000)) << "nobody could see it obeyed before";
   hear(watch, mission, 5'000);
   EXPECT_FALSE(takes_over(watch, brakes, 4'900));
   EXPECT_TRUE(takes_over(watch, brakes, 5'000)) << "the deadline";

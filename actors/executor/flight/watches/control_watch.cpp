@@ -179,7 +179,8 @@ void control_watch::look_at_left_armed(effects& out, instant now) {
   auto& runner = flight_.runner;
   if (!flight_.view.is_armed() && flight_.view.heartbeat_ns() > runner.armed_ns() + flight::silence_ns)
     runner.forget_armed(); // who arms it from now on is somebody else
-  const bool is_left = waits && flight_.is_left_armed();
+  const bool is_left =
+      waits && flight_.is_left_armed() && !flight_.view.is_moving() && !flight_.view.is_in(flight::mode_kind::mission);
   if (flight_.may_disarm() && is_left && !reason_before_ && now.now_ns - runner.armed_ns() <= flight::silence_ns)
     return tasks_.begin(out, task_kind::stand_down, {disarm{}});
   if (is_left == reason_before_.has_value())

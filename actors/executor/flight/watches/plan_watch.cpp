@@ -11,20 +11,25 @@ namespace godwit::executor {
 
 namespace transfer = vehicle_link::transfer;
 
+// After a silence: what a start in it has led to is known by then.
+constexpr std::int64_t heard_again_ns = 10'000'000'000;
+
 void plan_watch::on_position(instant now) {
   if (const auto at = flight_.view.place(now.now_ns))
     track_.on_position({at->latitude, at->longitude}, now.now_ns);
 }
 
-// A new incarnation has not seen when the place before was left: nothing is contradicted until it has seen one. Before
-// a heartbeat it does not know what the vehicle is.
+// Of a vehicle that is found on its way or just heard again, and in a new incarnation, nobody has seen when the place
+// before was left: nothing is contradicted until it has seen one. Before a heartbeat it does not know what the vehicle
+// is.
 void plan_watch::follow_plan(instant now) {
   const auto& s = flight_.s;
   if (!s.progress.plan || !s.flown || !flight_.view.mode())
     return;
   const auto& g = s.progress.plan->generation;
   if (followed_ != g.number) {
-    const bool is_found = !followed_ && g.is_armed;
+    const bool is_just_heard = now.now_ns - flight_.view.unbroken_since_ns() < heard_again_ns;
+    const bool is_found = g.is_found || is_just_heard || (!followed_ && g.is_armed);
     track_.begin(s.flown->items, flight_.view.owner().vehicle, flight_.configured.own_loiter_radius_m,
                  is_found ? 0 : now.now_ns);
     followed_ = g.number;

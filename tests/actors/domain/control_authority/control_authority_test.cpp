@@ -71,26 +71,36 @@ TEST(control_authority, an_order_that_is_not_obeyed_in_time_is_expected_no_more)
 }
 
 // Nobody could have seen it obeyed: what comes first may be its effect, and then it counts for as long as it had left.
-TEST(control_authority, a_silence_in_which_an_order_would_have_expired_does_not_count) {
+TEST(control_authority, a_silence_in_which_an_order_that_moves_would_have_expired_does_not_count) {
+  constexpr flight_mode goes_home{mode_kind::returning, 6};
   auto who = in_flight();
-  who.expect({brake.custom_mode}, 0, 5 * s);
+  who.expect({goes_home.custom_mode}, 0, 5 * s);
   who.on_heartbeat(s);
-  EXPECT_EQ(behind(who, brake, 40 * s), holder::godwit);
+  EXPECT_EQ(behind(who, goes_home, 40 * s), holder::godwit);
   EXPECT_EQ(behind(who, loiter, 40 * s), holder::person) << "no order names it";
-  who.on_heartbeat(40 * s); // and is in its old mode still
-  for (const int heard_s : {41, 42, 43})
+  for (const int heard_s : {40, 41, 42, 43}) // and is in its old mode still
     who.on_heartbeat(heard_s * s);
-  EXPECT_EQ(behind(who, brake, 43 * s), holder::godwit);
+  EXPECT_EQ(behind(who, goes_home, 43 * s), holder::godwit);
   who.on_heartbeat(44 * s);
-  EXPECT_EQ(behind(who, brake, 44 * s), holder::person);
+  EXPECT_EQ(behind(who, goes_home, 44 * s), holder::person);
+}
+
+// Seen on a real rover: its hold was lost, a person stopped it in the silence, and the replan drove on.
+TEST(control_authority, a_hold_after_a_silence_is_that_of_a_person_who_has_stopped_it) {
+  auto who = in_flight();
+  who.expect({brake.custom_mode, automatic.custom_mode}, 0, 5 * s);
+  who.on_heartbeat(s);
+  EXPECT_EQ(behind(who, brake, 4 * s), holder::godwit);
+  EXPECT_EQ(behind(who, brake, 10 * s), holder::person);
 }
 
 TEST(control_authority, an_order_that_has_expired_before_a_silence_is_not_expected_after_it) {
   auto who = in_flight();
-  who.expect({brake.custom_mode}, 0, 5 * s);
+  constexpr flight_mode goes_home{mode_kind::returning, 6};
+  who.expect({goes_home.custom_mode}, 0, 5 * s);
   for (int beat = 1; beat <= 5; ++beat)
     who.on_heartbeat(beat * s);
-  EXPECT_EQ(behind(who, brake, 40 * s), holder::person);
+  EXPECT_EQ(behind(who, goes_home, 40 * s), holder::person);
 }
 
 TEST(control_authority, an_order_that_has_expired_does_not_come_back_with_the_next_one) {

@@ -69,7 +69,7 @@ void vehicle_view::take(const io::mavlink::heartbeat& m, std::int64_t now_ns) {
   is_armed_ = io::mavlink::is_armed(m);
   is_critical_ = m.system_status == io::mavlink::number(io::mavlink::mav_state::critical);
   ++heartbeats_;
-  if (heartbeat_ns_ == 0 || now_ns - heartbeat_ns_ > flight::silence_ns)
+  if (heartbeat_ns_ != 0 && now_ns - heartbeat_ns_ > flight::silence_ns)
     unbroken_since_ns_ = now_ns;
   heartbeat_ns_ = now_ns;
 }

@@ -112,7 +112,9 @@ bool flight_context::is_left_armed() const {
   return runner.has_armed() && view.is_armed() && view.knows_ground() && !is_in_air();
 }
 
-bool flight_context::may_disarm() const { return is_left_armed() && view.unbroken_since_ns() <= runner.armed_ns(); }
+bool flight_context::may_disarm() const {
+  return is_left_armed() && runner.is_arm_accepted() && view.unbroken_since_ns() <= runner.armed_ns();
+}
 
 std::vector<std::uint32_t> flight_context::modes_after_disarm() const {
   if (view.owner().autopilot != io::mavlink::mav_autopilot::px4)

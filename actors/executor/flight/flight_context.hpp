@@ -137,7 +137,7 @@ struct flight_context {
   [[nodiscard]] bool is_copter() const;
   [[nodiscard]] bool plan_has_home() const { return is_ardupilot(); } // as its first item
   [[nodiscard]] bool is_left_armed() const;                           // on the ground, by the task that began last
-  // And heard without a silence since then, in which somebody else might have armed it.
+  // By an ARM that it has acknowledged, and heard without a silence since then: nobody else may have armed it.
   [[nodiscard]] bool may_disarm() const;
   // PX4 goes back to its mission mode when it disarms in another one, or holds when the mission is done.
   [[nodiscard]] std::vector<std::uint32_t> modes_after_disarm() const;

@@ -145,7 +145,12 @@ void task_runner::send(const world& w) {
   } else if (auto* item = std::get_if<vehicle_link::set_current_item>(&request->what)) {
     item->only_while = known(w);
   }
-  w.out.emplace_back(order{urgency_of(task_->kind, &what), ++last_order_, w.now_ns,
+  ++last_order_;
+  if (is_at<arm>()) {
+    arm_order_ = last_order_;
+    is_arm_accepted_ = false;
+  }
+  w.out.emplace_back(order{urgency_of(task_->kind, &what), last_order_, w.now_ns,
                            std::move(request->modes).value_or(std::vector<std::uint32_t>{}), std::move(request->what)});
 }
 

@@ -246,14 +246,17 @@ bool task_runner::awaits(std::uint64_t order) const {
 }
 
 void task_runner::on_command(const world& w, std::uint64_t number, const vehicle_link::command_outcome& outcome) {
+  if (number == arm_order_) {
+    is_arm_accepted_ = outcome.verdict == command_verdict::accepted;
+    if (!is_arm_accepted_ && outcome.verdict != command_verdict::timed_out)
+      armed_ns_ = 0;
+  }
   if (!task_ || ended_ || number != last_order_ || stage_ != stage::sent)
     return;
   last_reason_ = outcome.reason;
   step_.observed_ns = 0; // the vehicle is observed anew before whatever is sent next
   attempts_.was_lost = outcome.verdict == command_verdict::timed_out;
   const bool is_accepted = outcome.verdict == command_verdict::accepted;
-  if (is_at<arm>() && !is_accepted && !attempts_.was_lost)
-    armed_ns_ = 0;
   was_refused_for_now_ = outcome.verdict == command_verdict::refused && !is_final(outcome);
   // An observation asks for a message, too: what asks for another one waits for its answer.
   const bool is_unsent =

@@ -88,8 +88,13 @@ public:
   // The vehicle is armed because of the task that began last, or may be.
   [[nodiscard]] bool has_armed() const { return armed_ns_ != 0; }
   [[nodiscard]] std::int64_t armed_ns() const { return armed_ns_; }
+  // The vehicle has acknowledged it, also when its task has ended meanwhile.
+  [[nodiscard]] bool is_arm_accepted() const { return is_arm_accepted_; }
   // The start of an incarnation before may have.
-  void assume_armed() { armed_ns_ = 1; }
+  void assume_armed() {
+    armed_ns_ = 1;
+    is_arm_accepted_ = false;
+  }
   // It is disarmed, or never was armed.
   void forget_armed() { armed_ns_ = 0; }
 
@@ -171,6 +176,8 @@ private:
   std::optional<progress::upload_intended> intent_;
   std::int64_t run_ns_ = 0; // last; 0: not yet
   bool was_stalled_ = false;
+  std::uint64_t arm_order_ = 0; // the newest
+  bool is_arm_accepted_ = false;
   std::int64_t armed_ns_ = 0; // when arming was sent, and not refused; 0: it was not
   std::optional<verdict> ended_;
   std::string why_failed_;

@@ -174,6 +174,21 @@ TEST_P(cut_start, who_has_stopped_it_in_a_silence_in_which_a_replan_held_it_is_n
   EXPECT_EQ(world.orders(), starts) << world.story();
 }
 
+// godwit's own was lost.
+TEST_P(cut_start, who_arms_it_by_hand_just_after_a_start_that_was_stopped_is_not_disarmed) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+  begin(world);
+  world.lose_command(io::mavlink::number(io::mavlink::mav_cmd::component_arm_disarm), 3);
+  ASSERT_TRUE(world.run_until([&] { return world.arms() > 0; }, 20)) << world.story();
+  world.run_for(0.05);
+  ASSERT_TRUE(world.say(command_kind::pause).is_taken) << world.sentence();
+  world.run_for(0.8);
+  world.arm_by_hand();
+  world.run_for(4);
+  EXPECT_EQ(world.disarms(), 0) << world.story();
+  EXPECT_TRUE(world.vehicle().describe().armed) << world.story();
+}
+
 INSTANTIATE_TEST_SUITE_P(each, cut_start,
                          testing::Values(sim::personality::px4, sim::personality::ardupilot, sim::personality::rover));
 

@@ -69,8 +69,8 @@ TEST(convert_command, a_partial_conversion_is_written_and_says_what_is_missing) 
 
 TEST(convert_command, an_ending_without_a_format_is_usage) {
   const scratch folder;
-  EXPECT_EQ(run_convert({data + "simple.plan", folder.file("out.kml")}, false), exit_code::usage);
-  EXPECT_EQ(run_convert({folder.file("in.kml"), folder.file("out.json")}, false), exit_code::usage);
+  EXPECT_EQ(run_convert({data + "simple.plan", folder.file("out.gpx")}, false), exit_code::usage);
+  EXPECT_EQ(run_convert({folder.file("in.gpx"), folder.file("out.json")}, false), exit_code::usage);
 }
 
 TEST(convert_command, a_file_that_is_not_there_or_no_mission_is_said_by_name) {

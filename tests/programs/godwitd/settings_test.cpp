@@ -92,7 +92,7 @@ TEST(daemon_settings, a_mission_from_a_file_needs_no_service) {
   const auto all = settings({{"mission", "survey.plan"}, {"vehicle", "udpin://127.0.0.1:14550"}});
   ASSERT_TRUE(all) << all.error();
   EXPECT_FALSE(all->service);
-  const auto wrong = settings({{"mission", "survey.kml"}, {"vehicle", "udpin://127.0.0.1:14550"}});
+  const auto wrong = settings({{"mission", "survey.gpx"}, {"vehicle", "udpin://127.0.0.1:14550"}});
   ASSERT_FALSE(wrong);
   EXPECT_NE(wrong.error().find(".geojson"), std::string::npos);
 }

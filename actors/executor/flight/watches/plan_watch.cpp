@@ -28,7 +28,8 @@ void plan_watch::follow_plan(instant now) {
     return;
   const auto& g = s.progress.plan->generation;
   if (followed_ != g.number) {
-    const bool is_just_heard = now.now_ns - flight_.view.unbroken_since_ns() < heard_again_ns;
+    const auto again_ns = flight_.view.unbroken_since_ns();
+    const bool is_just_heard = again_ns != 0 && now.now_ns - again_ns < heard_again_ns;
     const bool is_found = g.is_found || is_just_heard || (!followed_ && g.is_armed);
     track_.begin(s.flown->items, flight_.view.owner().vehicle, flight_.configured.own_loiter_radius_m,
                  is_found ? 0 : now.now_ns);

@@ -92,7 +92,7 @@ public:
   [[nodiscard]] bool is_arm_accepted() const { return is_arm_accepted_; }
   // The start of an incarnation before may have.
   void assume_armed() {
-    armed_ns_ = 1;
+    armed_ns_ = 1; // long ago
     is_arm_accepted_ = false;
   }
   // It is disarmed, or never was armed.

@@ -22,6 +22,11 @@ protected:
     ASSERT_TRUE(world.run_until_phase(phase::ready, 120)) << world.story();
     ASSERT_TRUE(world.say(command_kind::start).is_taken) << world.sentence();
   }
+  // In the moment in which the first order of that kind goes out.
+  static void begin_until(flight_world& world, int (flight_world::*orders)() const) {
+    begin(world);
+    ASSERT_TRUE(world.run_until([&] { return (world.*orders)() > 0; }, 20)) << world.story();
+  }
   static long skipped(const flight_world& world) {
     return std::ranges::count(world.reports(), progress_kind::skipped, &mission::progress_report::kind);
   }
@@ -32,8 +37,7 @@ TEST_P(cut_start, a_start_that_was_obeyed_unheard_is_followed_and_what_was_flown
   for (const int after_ms : {0, 2, 5, 20, 100, 300}) {
     const double speed = GetParam() == sim::personality::rover ? 0.1 : 2; // of which the way is short
     flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = speed});
-    begin(world);
-    ASSERT_TRUE(world.run_until([&] { return world.starts() > 0; }, 20)) << world.story();
+    begin_until(world, &flight_world::starts);
     world.run_for(after_ms * 1e-3);
     world.cut_line(12);
     world.run_for(16);
@@ -49,8 +53,7 @@ TEST_P(cut_start, a_start_that_was_obeyed_unheard_is_followed_and_what_was_flown
 TEST_P(cut_start, one_whose_place_is_heard_before_its_mode_has_flown_what_lies_before_it) {
   const double speed = GetParam() == sim::personality::rover ? 0.1 : 2;
   flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = speed});
-  begin(world);
-  ASSERT_TRUE(world.run_until([&] { return world.starts() > 0; }, 20)) << world.story();
+  begin_until(world, &flight_world::starts);
   const double silence_s = GetParam() == sim::personality::rover ? 120 : 20;
   world.cut_line(silence_s);
   world.run_for(silence_s - 0.1);
@@ -86,8 +89,7 @@ TEST_P(cut_start, a_mission_that_was_completed_in_a_silence_is_complete_and_noth
 // Somebody else's mode after it is nobody's order.
 TEST_P(cut_start, who_has_taken_the_vehicle_in_the_silence_has_it_and_is_not_told_to_disarm_it_in_flight) {
   flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 2});
-  begin(world);
-  ASSERT_TRUE(world.run_until([&] { return world.starts() > 0; }, 20)) << world.story();
+  begin_until(world, &flight_world::starts);
   world.cut_line(12);
   world.run_for(8);
   world.switch_mode(drill::pilot_mode(GetParam()));
@@ -104,8 +106,7 @@ TEST_P(cut_start, who_has_taken_the_vehicle_in_the_silence_has_it_and_is_not_tol
 TEST_P(cut_start, a_vehicle_that_was_armed_unheard_is_told_as_armed_until_it_is_disarmed) {
   for (const bool is_killed : {false, true}) {
     flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
-    begin(world);
-    ASSERT_TRUE(world.run_until([&] { return world.arms() > 0; }, 20)) << world.story();
+    begin_until(world, &flight_world::arms);
     if (is_killed)
       world.crash_all();
     world.cut_line(6);
@@ -125,8 +126,7 @@ TEST_P(cut_start, a_vehicle_that_was_armed_unheard_is_told_as_armed_until_it_is_
 // Its ARM is on its way then.
 TEST_P(cut_start, a_start_that_is_stopped_in_the_moment_of_its_arm_leaves_nothing_armed) {
   flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1, .most_delay_ms = 100});
-  begin(world);
-  ASSERT_TRUE(world.run_until([&] { return world.arms() > 0; }, 20)) << world.story();
+  begin_until(world, &flight_world::arms);
   ASSERT_TRUE(world.say(command_kind::pause).is_taken) << world.sentence();
   world.run_for(4);
   EXPECT_FALSE(world.vehicle().describe().armed) << world.story();
@@ -137,8 +137,7 @@ TEST_P(cut_start, a_start_that_is_stopped_in_the_moment_of_its_arm_leaves_nothin
 // Only the way to the vehicle is left: what it does by then nobody knows.
 TEST_P(cut_start, nothing_is_disarmed_unheard_and_nobody_who_has_armed_it_by_hand) {
   flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
-  begin(world);
-  ASSERT_TRUE(world.run_until([&] { return world.arms() > 0; }, 20)) << world.story();
+  begin_until(world, &flight_world::arms);
   world.deafen(20);
   world.run_for(3);
   world.disarm_by_hand();
@@ -168,10 +167,10 @@ TEST_P(cut_start, who_has_stopped_it_in_a_silence_in_which_a_replan_held_it_is_n
   world.lose_command(0, 0);
   world.switch_mode(drill::hold_mode(GetParam()));
   world.run_for(3);
-  const auto starts = world.orders();
+  const auto orders = world.orders();
   world.run_for(20);
   EXPECT_EQ(world.durable().status.cause, pause_cause::taken_over) << world.story();
-  EXPECT_EQ(world.orders(), starts) << world.story();
+  EXPECT_EQ(world.orders(), orders) << world.story();
 }
 
 // godwit's own was lost.

@@ -22,11 +22,11 @@ enum class mission_format {
   kml // map programs; only read
 };
 
+GODWIT_ENUM_NAMES(mission_format, json, plan, waypoints, geojson, kml);
+
 // For sentences.
 inline constexpr const char* known_endings =
     ".json (godwit), .plan (QGroundControl), .waypoints and .txt (QGC WPL 110), .geojson, .kml";
-
-GODWIT_ENUM_NAMES(mission_format, json, plan, waypoints, geojson, kml);
 
 // By the ending of a file's name, in any case: .json, .plan or .mission, .waypoints, .txt or .fen, .geojson, .kml.
 [[nodiscard]] std::optional<mission_format> format_of_name(std::string_view file_name);

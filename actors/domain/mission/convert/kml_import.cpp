@@ -18,13 +18,14 @@
 #include "actors/domain/mission/convert/item_import.hpp"
 #include "actors/domain/mission/read.hpp"
 #include "actors/domain/mission/rules.hpp"
+#include "io/mavlink/enums.hpp"
 
 namespace godwit::mission {
 
 namespace {
 
 constexpr std::size_t max_depth = 64; // Google Earth writes some ten levels of folders at most
-constexpr std::uint8_t frame_of_terrain = 10;
+constexpr auto above_terrain = io::mavlink::number(io::mavlink::mav_frame::global_terrain_alt);
 
 struct drawn_place {
   double latitude = 0;
@@ -77,7 +78,7 @@ public:
     XML_SetUserData(parser_.get(), this);
     XML_SetElementHandler(
         parser_.get(), [](void* self, const XML_Char* name, const XML_Char**) { as_reader(self).begin(name); },
-        [](void* self, const XML_Char*) { as_reader(self).end(); });
+        [](void* self, const XML_Char* name) { as_reader(self).end(local_name(name)); });
     XML_SetCharacterDataHandler(parser_.get(), [](void* self, const XML_Char* text, int size) {
       as_reader(self).take_text({text, static_cast<std::size_t>(size)});
     });
@@ -100,49 +101,47 @@ public:
 private:
   static kml_reader& as_reader(void* self) { return *static_cast<kml_reader*>(self); }
   [[nodiscard]] std::size_t line() const { return XML_GetCurrentLineNumber(parser_.get()); }
-  [[nodiscard]] bool is_skipped() const { return skipped_from_.has_value(); }
+  [[nodiscard]] bool is_in_geometry() const { return geometry_depth_ != 0 && depth_ == geometry_depth_ + 1; }
 
   void begin(std::string_view full_name) {
     const auto name = local_name(full_name);
-    if (open_.empty() && name != "kml")
+    if (depth_ == 0 && name != "kml")
       fail("is no KML: it begins with <" + std::string(full_name.substr(0, max_document_key)) + '>');
-    if (open_.size() == max_depth)
+    if (depth_ == max_depth)
       fail("is nested deeper than " + std::to_string(max_depth) + " elements");
-    open_.emplace_back(name);
+    ++depth_;
     text_.clear();
     text_line_ = line();
-    if (is_skipped())
+    if (skipped_from_)
       return;
     if (is_any_of(name, {"Polygon", "LinearRing", "Model", "Track", "MultiTrack", "NetworkLink"}))
-      skip("says no place to fly to: draw a path or points");
+      skip(name);
     else if (name.ends_with("Overlay"))
-      skipped_from_ = open_.size();
+      skipped_from_ = depth_;
     else if (is_any_of(name, {"Point", "LineString"})) {
-      geometry_depth_ = open_.size();
+      geometry_depth_ = depth_;
       drawn_.clear();
       mode_.clear();
     }
   }
 
-  void end() {
-    const auto name = std::exchange(open_.back(), {});
-    const bool is_of_geometry = geometry_depth_ != 0 && open_.size() == geometry_depth_ + 1;
-    if (is_of_geometry && name == "coordinates")
+  void end(std::string_view name) {
+    if (is_in_geometry() && name == "coordinates")
       take_coordinates();
-    else if (is_of_geometry && name == "altitudeMode")
+    else if (is_in_geometry() && name == "altitudeMode")
       mode_ = trimmed(text_);
-    else if (open_.size() == geometry_depth_) {
+    else if (depth_ == geometry_depth_) {
       append_drawn(name);
       geometry_depth_ = 0;
     }
-    if (skipped_from_ == open_.size())
+    if (skipped_from_ == depth_)
       skipped_from_.reset();
-    open_.pop_back();
+    --depth_;
     text_.clear();
   }
 
   void take_text(std::string_view text) {
-    if (geometry_depth_ != 0 && open_.size() == geometry_depth_ + 1)
+    if (is_in_geometry())
       text_ += text;
   }
 
@@ -161,28 +160,32 @@ private:
     }
   }
 
-  void append_drawn(const std::string& what) {
+  void append_drawn(std::string_view what) {
     const bool has_heights = mode_ == "absolute" || mode_ == "relativeToGround";
     for (const auto& each : drawn_) {
       const auto altitude_m = has_heights ? each.altitude_m : altitude_m_;
       if (!altitude_m)
-        return fail_at(each.line, "(" + what + ") has no heights",
+        return fail_at(each.line, "(" + std::string(what) + ") has no heights",
                        "heights above ground or sea level from the map program, or one for all with `godwitd convert "
                        "IN OUT --altitude M`, metres above home");
       if (number_ == max_items)
         return fail_at(each.line, "comes after " + std::to_string(max_items) + " places, the most of a mission");
       vehicle_item next{.number = number_++, .command = command::waypoint, .frame = frame::global_relative};
       if (has_heights)
-        next.frame = mode_ == "absolute" ? frame::global : frame_of_terrain;
+        next.frame = mode_ == "absolute" ? frame::global : above_terrain;
       next.params = {0, 0, 0, not_given, each.latitude, each.longitude, *altitude_m};
       next.place = "line " + std::to_string(each.line);
       importer_.take(next);
     }
   }
 
-  void skip(std::string why) {
-    skipped_from_ = open_.size();
-    losses_.add({{}, "line " + std::to_string(line()) + ": " + open_.back(), std::move(why), "left out", {}});
+  void skip(std::string_view name) {
+    skipped_from_ = depth_;
+    losses_.add({{},
+                 "line " + std::to_string(line()) + ": " + std::string(name),
+                 "says no place to fly to: draw a path or points",
+                 "left out",
+                 {}});
   }
 
   void fail(std::string what) {
@@ -199,7 +202,7 @@ private:
   loss_list& losses_;
   item_importer importer_;
   std::vector<document_problem> problems_;
-  std::vector<std::string> open_;           // elements, from the root on
+  std::size_t depth_ = 0;                   // of the element that is open
   std::optional<std::size_t> skipped_from_; // depth of the element
   std::size_t geometry_depth_ = 0;          // of the Point or LineString that is open; 0: none
   std::string mode_;

@@ -13,11 +13,10 @@ namespace godwit::executor {
 // -- what the vehicle reports -----------------------------------------------------------------------
 
 void control_watch::on_mode(instant now) {
-  flight_.authority.on_heartbeat(now.now_ns);
   if (flight_.view.is_armed())
     was_armed_ = true;
   if (!judges_modes())
-    return;
+    return flight_.authority.on_heartbeat(now.now_ns);
   know_plan_end();
   if (flight_.is_in_flight() && !flight_.view.is_armed())
     flight_.authority.expect_also(flight_.modes_after_disarm(), now.now_ns, now.now_ns + flight::order_is_expected_ns);

@@ -35,22 +35,22 @@ control_authority near_its_end() {
   return result;
 }
 
-holder behind(control_authority who, const flight_mode& mode, std::int64_t now_ns = 0) {
+holder after(control_authority who, const flight_mode& mode, std::int64_t now_ns = 0) {
   who.on_mode(copter, mode, false, now_ns);
   return who.who();
 }
 
 TEST(control_authority, a_mode_that_nobody_has_ordered_is_a_persons) {
-  EXPECT_EQ(behind(in_flight(), automatic), holder::godwit);
+  EXPECT_EQ(after(in_flight(), automatic), holder::godwit);
   for (const auto& mode : {stabilize, loiter, brake})
-    EXPECT_EQ(behind(in_flight(), mode), holder::person);
+    EXPECT_EQ(after(in_flight(), mode), holder::person);
 }
 
 TEST(control_authority, an_order_is_obeyed_by_the_exact_mode_and_not_by_another_of_its_kind) {
   auto who = in_flight();
   who.expect({brake.custom_mode}, 0, 5 * s);
-  EXPECT_EQ(behind(who, brake), holder::godwit);
-  EXPECT_EQ(behind(who, loiter), holder::person) << "the hold was lost, and a pilot took LOITER";
+  EXPECT_EQ(after(who, brake), holder::godwit);
+  EXPECT_EQ(after(who, loiter), holder::person) << "the hold was lost, and a pilot took LOITER";
 }
 
 TEST(control_authority, what_was_ordered_is_expected_once) {
@@ -59,7 +59,7 @@ TEST(control_authority, what_was_ordered_is_expected_once) {
   who.on_mode(copter, brake, false, 0);
   who.expect({automatic.custom_mode}, 0, 60 * s);
   who.on_mode(copter, automatic, false, s);
-  EXPECT_EQ(behind(who, brake, 3 * s), holder::person);
+  EXPECT_EQ(after(who, brake, 3 * s), holder::person);
 }
 
 TEST(control_authority, an_order_that_is_not_obeyed_in_time_is_expected_no_more) {
@@ -67,7 +67,7 @@ TEST(control_authority, an_order_that_is_not_obeyed_in_time_is_expected_no_more)
   who.expect({brake.custom_mode}, 0, 5 * s);
   for (int beat = 1; beat < 5; ++beat)
     who.on_heartbeat(beat * s);
-  EXPECT_EQ(behind(who, brake, 5 * s), holder::person);
+  EXPECT_EQ(after(who, brake, 5 * s), holder::person);
 }
 
 // Nobody could have seen it obeyed: what comes first may be its effect, and then it counts for as long as it had left.
@@ -76,13 +76,13 @@ TEST(control_authority, a_silence_in_which_an_order_that_moves_would_have_expire
   auto who = in_flight();
   who.expect({goes_home.custom_mode}, 0, 5 * s);
   who.on_heartbeat(s);
-  EXPECT_EQ(behind(who, goes_home, 40 * s), holder::godwit);
-  EXPECT_EQ(behind(who, loiter, 40 * s), holder::person) << "no order names it";
+  EXPECT_EQ(after(who, goes_home, 40 * s), holder::godwit);
+  EXPECT_EQ(after(who, loiter, 40 * s), holder::person) << "no order names it";
   for (const int heard_s : {40, 41, 42, 43}) // and is in its old mode still
     who.on_heartbeat(heard_s * s);
-  EXPECT_EQ(behind(who, goes_home, 43 * s), holder::godwit);
+  EXPECT_EQ(after(who, goes_home, 43 * s), holder::godwit);
   who.on_heartbeat(44 * s);
-  EXPECT_EQ(behind(who, goes_home, 44 * s), holder::person);
+  EXPECT_EQ(after(who, goes_home, 44 * s), holder::person);
 }
 
 // Seen on a real rover: its hold was lost, a person stopped it in the silence, and the replan drove on.
@@ -90,8 +90,8 @@ TEST(control_authority, a_hold_after_a_silence_is_that_of_a_person_who_has_stopp
   auto who = in_flight();
   who.expect({brake.custom_mode, automatic.custom_mode}, 0, 5 * s);
   who.on_heartbeat(s);
-  EXPECT_EQ(behind(who, brake, 4 * s), holder::godwit);
-  EXPECT_EQ(behind(who, brake, 10 * s), holder::person);
+  EXPECT_EQ(after(who, brake, 4 * s), holder::godwit);
+  EXPECT_EQ(after(who, brake, 10 * s), holder::person);
 }
 
 TEST(control_authority, an_order_that_has_expired_before_a_silence_is_not_expected_after_it) {
@@ -100,7 +100,7 @@ TEST(control_authority, an_order_that_has_expired_before_a_silence_is_not_expect
   who.expect({goes_home.custom_mode}, 0, 5 * s);
   for (int beat = 1; beat <= 5; ++beat)
     who.on_heartbeat(beat * s);
-  EXPECT_EQ(behind(who, goes_home, 40 * s), holder::person);
+  EXPECT_EQ(after(who, goes_home, 40 * s), holder::person);
 }
 
 TEST(control_authority, an_order_that_has_expired_does_not_come_back_with_the_next_one) {
@@ -109,15 +109,15 @@ TEST(control_authority, an_order_that_has_expired_does_not_come_back_with_the_ne
   for (int beat = 1; beat <= 5; ++beat)
     who.on_heartbeat(beat * s);
   who.expect_also({brake.custom_mode}, 6 * s, 11 * s);
-  EXPECT_EQ(behind(who, loiter, 7 * s), holder::person);
-  EXPECT_EQ(behind(who, brake, 7 * s), holder::godwit);
+  EXPECT_EQ(after(who, loiter, 7 * s), holder::person);
+  EXPECT_EQ(after(who, brake, 7 * s), holder::godwit);
 }
 
 TEST(control_authority, what_was_not_sent_is_not_expected) {
   auto who = in_flight();
   who.expect({brake.custom_mode}, 0, 5 * s);
   who.withdraw({brake.custom_mode});
-  EXPECT_EQ(behind(who, brake, s), holder::person);
+  EXPECT_EQ(after(who, brake, s), holder::person);
 }
 
 TEST(control_authority, a_person_who_puts_the_mode_back_still_has_it) {
@@ -173,11 +173,11 @@ TEST(control_authority, other_words_and_those_of_another_autopilot_explain_nothi
   for (const auto* each : {"GCS Failsafe Cleared", "Radio Failsafe - Continuing Auto Mode", "Mission: 3 WP"}) {
     auto who = in_flight();
     who.on_text(copter, each, 0);
-    EXPECT_EQ(behind(who, loiter), holder::person) << each;
+    EXPECT_EQ(after(who, loiter), holder::person) << each;
   }
   auto who = in_flight();
   who.on_text(px4, "GCS Failsafe", 0);
-  EXPECT_EQ(behind(who, loiter), holder::person);
+  EXPECT_EQ(after(who, loiter), holder::person);
 }
 
 TEST(control_authority, who_was_said_to_have_taken_it_by_somebody_else_is_no_failsafe) {
@@ -191,7 +191,7 @@ TEST(control_authority, the_words_of_a_failsafe_before_a_hand_back_explain_nothi
   auto who = in_flight();
   who.on_text(copter, "GCS Failsafe", 0);
   who.begin(automatic);
-  EXPECT_EQ(behind(who, loiter, s), holder::person);
+  EXPECT_EQ(after(who, loiter, s), holder::person);
 }
 
 TEST(control_authority, on_the_way_to_the_last_item_a_hold_is_a_persons) {
@@ -297,12 +297,12 @@ TEST(control_authority, what_was_said_of_the_plan_before_ends_no_plan) {
 TEST(control_authority, an_incarnation_that_begins_anew_knows_where_the_one_before_left_it) {
   control_authority who;
   who.resume({automatic.custom_mode, brake.custom_mode}, 0);
-  EXPECT_EQ(behind(who, automatic), holder::godwit);
-  EXPECT_EQ(behind(who, brake), holder::godwit);
-  EXPECT_EQ(behind(who, loiter), holder::person);
+  EXPECT_EQ(after(who, automatic), holder::godwit);
+  EXPECT_EQ(after(who, brake), holder::godwit);
+  EXPECT_EQ(after(who, loiter), holder::person);
   for (int beat = 0; beat < 5; ++beat)
     who.on_mode(copter, automatic, false, beat * s);
-  EXPECT_EQ(behind(who, brake, order_is_expected_ns), holder::person) << "whatever was under way has come by then";
+  EXPECT_EQ(after(who, brake, order_is_expected_ns), holder::person) << "whatever was under way has come by then";
 }
 
 // -- what a change leaves behind ----------------------------------------------------------------------
@@ -311,7 +311,7 @@ TEST(control_authority, the_words_of_a_breach_before_a_hand_back_explain_nothing
   auto who = in_flight();
   who.on_text(copter, "Circle fence breached", 0);
   who.begin(automatic);
-  EXPECT_EQ(behind(who, loiter, s / 10), holder::person);
+  EXPECT_EQ(after(who, loiter, s / 10), holder::person);
 }
 
 TEST(control_authority, orders_before_the_one_that_is_obeyed_are_expected_no_more) {
@@ -319,11 +319,11 @@ TEST(control_authority, orders_before_the_one_that_is_obeyed_are_expected_no_mor
   begun.expect({brake.custom_mode, automatic.custom_mode}, 0, 5 * s);
   auto obeyed = begun;
   begun.begin(automatic);
-  EXPECT_EQ(behind(begun, brake, s), holder::person);
+  EXPECT_EQ(after(begun, brake, s), holder::person);
   obeyed.on_mode(copter, brake, false, s);
   obeyed.on_mode(copter, automatic, false, 2 * s);
   ASSERT_EQ(obeyed.who(), holder::godwit);
-  EXPECT_EQ(behind(obeyed, brake, 3 * s), holder::person);
+  EXPECT_EQ(after(obeyed, brake, 3 * s), holder::person);
 }
 
 TEST(control_authority, a_return_that_was_found_and_not_ordered_does_not_end_in_a_hold_by_itself) {

@@ -52,6 +52,7 @@ effects core::advance(instant now) {
   service_.ask_again(out, now);
   standstill_.look(out, now);
   watch_.look_at_left_armed(out, now);
+  tasks_.follow_unheard(out, now);
   ground_.on_task();
   changes_.keep_commanded(out, recovery_.has_looked(), now);
   plan_.check(out, now);

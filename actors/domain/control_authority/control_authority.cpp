@@ -22,6 +22,7 @@ void control_authority::begin(const flight_mode& mode) {
   told_.reset();
   drop_expected(mode);
   adopt(mode, holder::godwit);
+  is_uncertain_ = false;
 }
 
 // What stands before it will not come any more.
@@ -34,6 +35,7 @@ void control_authority::drop_expected(const flight_mode& mode) {
 void control_authority::resume(std::vector<std::uint32_t> left_in, std::int64_t now_ns) {
   begin(not_known);
   expect(std::move(left_in), now_ns, now_ns + order_is_expected_ns);
+  is_acknowledged_ = true; // as far as anybody can know now
 }
 
 void control_authority::end() { *this = {}; }
@@ -52,6 +54,7 @@ void control_authority::expect(std::vector<std::uint32_t> modes, std::int64_t no
   expected_until_ns_ = until_ns;
   heard_ns_ = now_ns;
   silences_ns_ = 0;
+  is_acknowledged_ = false;
 }
 
 void control_authority::expect_also(const std::vector<std::uint32_t>& modes, std::int64_t now_ns,
@@ -64,6 +67,12 @@ void control_authority::expect_also(const std::vector<std::uint32_t>& modes, std
   expected_until_ns_ = std::max(expected_until_ns_, until_ns);
   heard_ns_ = now_ns;
   silences_ns_ = 0;
+  is_acknowledged_ = false;
+}
+
+void control_authority::acknowledge() {
+  is_acknowledged_ = true;
+  is_uncertain_ = false;
 }
 
 void control_authority::withdraw(const std::vector<std::uint32_t>& modes) {
@@ -126,6 +135,7 @@ void control_authority::on_mode(const mode_owner& whose, const flight_mode& mode
     drop_expected(mode);
     adopt(mode, holder::godwit);
     was_ordered_ = true;
+    is_uncertain_ = mode.kind == mode_kind::hold && !is_acknowledged_;
     return;
   }
   if (follows_by_itself(whose, ours_->custom_mode, mode.custom_mode, was_ordered_))

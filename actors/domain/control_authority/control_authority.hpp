@@ -11,12 +11,13 @@
 //
 // An order names the exact modes that obey it and how long it may take; nothing else is expected. For a
 // mode that moves the vehicle a silence does not count: what comes first after it may be its effect. A hold may be that
-// of a person who has stopped the vehicle meanwhile. A plan's own change (mode_tables.hpp) is believed once, and only
-// where the vehicle says that it is at its end: until MISSION_CURRENT has told so, or has not for 4 s, it is unclear
-// who has the vehicle, and nothing may be sent. A person who puts the mode back still has it: only begin() gives it
-// back. An ArduPilot's own failsafe is known by its words, which come just before or just after the mode; they only
-// change whose a change is called, and never make it godwit's. Executor and failsafe have one each, and a person whom
-// either has seen is a person for both. Monotonic nanoseconds. Thread: pure.
+// of a person who has stopped the vehicle meanwhile. One whose order was not acknowledged is uncertain, and no task
+// moves the vehicle out of it by itself. A plan's own change (mode_tables.hpp) is believed once, and only where the
+// vehicle says that it is at its end: until MISSION_CURRENT has told so, or has not for 4 s, it is unclear who has the
+// vehicle, and nothing may be sent. A person who puts the mode back still has it: only begin() gives it back. An
+// ArduPilot's own failsafe is known by its words, which come just before or just after the mode; they only change whose
+// a change is called, and never make it godwit's. Executor and failsafe have one each, and a person whom either has
+// seen is a person for both. Monotonic nanoseconds. Thread: pure.
 //
 // CURRENT_MODE (PX4) shows a change between two heartbeats, and also the mode that somebody has asked for last. Where
 // the actual mode alone has changed the autopilot's own failsafe has the vehicle, also in a mode that an order of ours
@@ -83,6 +84,10 @@ public:
   void expect_also(const std::vector<std::uint32_t>& modes, std::int64_t now_ns, std::int64_t until_ns);
   // The order for them was not sent after all.
   void withdraw(const std::vector<std::uint32_t>& modes);
+  // The vehicle has acknowledged the newest order, and was in none of its modes before.
+  void acknowledge();
+  // An operator has seen it held, and commands it.
+  void confirm_hold() { is_uncertain_ = false; }
   // Of the plan on the vehicle. What MISSION_CURRENT said before was about another one.
   void set_plan_end(plan_end end);
   // What the plan says of itself counts no more: something else brings the vehicle down.
@@ -103,6 +108,8 @@ public:
   [[nodiscard]] bool is_ours() const { return who_ == holder::godwit || who_ == holder::autopilot_end; }
   // Who has it is told next: nothing may be sent.
   [[nodiscard]] bool is_unclear() const { return unclear_.has_value() || awaits_heartbeat_; }
+  // It holds, and whether by an order or by a person is not known.
+  [[nodiscard]] bool is_uncertain() const { return is_uncertain_; }
   [[nodiscard]] bool expects(const flight_mode& mode, std::int64_t now_ns) const;
 
   // What a record keeps of it.
@@ -131,6 +138,8 @@ private:
   holder who_ = holder::godwit;
   std::optional<flight_mode> ours_; // none: nobody is watched
   bool was_ordered_ = false;        // the mode that is ours
+  bool is_acknowledged_ = false;    // the newest order
+  bool is_uncertain_ = false;
   std::vector<std::uint32_t> expected_;
   std::int64_t expected_until_ns_ = 0;
   std::int64_t heard_ns_ = 0;    // or expected, if that is later

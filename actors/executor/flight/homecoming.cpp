@@ -177,6 +177,14 @@ bool homecoming::go_on(effects& out, instant now) {
     begin_straight(out, why);
     return true;
   }
+  if (at == homing_stage::held && flight_.authority.is_uncertain() && !is_for_failsafe_) {
+    flight_.homing = {};
+    phases_.go(
+        out, trigger::held,
+        "called home, and no acknowledgement of godwit's hold came: somebody may have stopped it; come_home again "
+        "brings it");
+    return true;
+  }
   const bool is_known = flight_.may_plan(now);
   if (at != homing_stage::held || !is_known || flight_.has_open_intent() || flight_.runner.is_busy())
     return false;

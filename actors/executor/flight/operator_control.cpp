@@ -35,6 +35,8 @@ operators::answer operator_control::take(const operators::command& m, bool has_l
   const bool is_own = m.kind == command_kind::resume && has_looked && watch_.may_hand_back({m.system, m.component});
   if (needs_vehicle(m.kind) && flight_.has_person() && !is_own)
     return {false, "the vehicle has to be handed back first: " + flight_.s.status.reason};
+  if (flight_.s.status.now == phase::paused && m.kind != command_kind::pause)
+    flight_.authority.confirm_hold();
   auto& wanted = flight_.wanted;
   switch (m.kind) {
   case command_kind::hand_back:

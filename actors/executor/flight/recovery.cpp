@@ -171,6 +171,8 @@ void recovery::find_in_flight(effects& out, const std::optional<task>& doing, in
   }
   if (is_held && flight_.s.status.cause == pause_cause::infeasible_plan)
     return phases_.go(out, trigger::infeasible_plan_found, flight_.s.status.reason);
+  if (is_held && !doing && flight_.s.status.cause == pause_cause::not_done)
+    return phases_.go(out, trigger::task_failed, flight_.s.status.reason);
   if (is_held && (flight_.s.status.cause == pause_cause::asked || is(task_kind::hold)))
     return phases_.go(out, trigger::found_held);
   const bool is_ours = flight_.authority.is_ours() && !flight_.authority.is_unclear();

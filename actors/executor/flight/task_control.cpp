@@ -219,6 +219,24 @@ void task_control::finish(effects& out, const task& what, instant now) {
   }
 }
 
+void task_control::follow_unheard(effects& out, instant now) {
+  const auto what = flight_.runner.unheard();
+  const auto& authority = flight_.authority;
+  if (!what || flight_.runner.is_busy() || !flight_.is_in_flight() || flight_.has_person() || !authority.is_ours() ||
+      authority.is_unclear())
+    return;
+  const bool is_return = *what == task_kind::come_home;
+  if (!flight_.view.is_in(is_return ? mode_kind::returning : going_on_mode(flight_)))
+    return;
+  flight_.runner.forget_unheard();
+  if (is_return) {
+    out.emplace_back(note{progress::mission_aborted{}});
+    return phases_.go(out, trigger::called_home);
+  }
+  verify_plan(now);
+  phases_.go(out, brings_plan(*what) ? trigger::plan_brought : trigger::resumed);
+}
+
 // It holds, or it flies it.
 void task_control::finish_way_home(effects& out) {
   auto& at = flight_.homing.at;

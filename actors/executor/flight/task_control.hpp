@@ -32,6 +32,8 @@ public:
 
   // True: one is under way, or has just ended.
   [[nodiscard]] bool run(effects& out, instant now);
+  // What was ordered and not heard obeyed shows now.
+  void follow_unheard(effects& out, instant now);
   // What is under way may still come through.
   void give_up(effects& out, instant now, const std::string& why);
   // The task that the record has, where nobody runs it. WHY: for the station that waits for its start.

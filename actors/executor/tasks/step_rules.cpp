@@ -91,9 +91,11 @@ struct rules_of<change_mode> : any_step {
     const bool goes_on = lets_fly_on && c.kind != task_kind::start && !is_stop(c.kind, nullptr);
     return goes_on && !c.view.is_armed() ? is_disarmed : "";
   }
-  static step_effect effect(const change_mode& what, const step_context&) {
+  static step_effect effect(const change_mode& what, const step_context& c) {
     if (what.to == mode_kind::mission)
       return step_effect::flies_plan;
+    if (what.to == mode_kind::hold && c.kind == task_kind::deploy)
+      return step_effect::holds;
     return what.to == mode_kind::guided || what.to == mode_kind::returning ? step_effect::moves : step_effect::neutral;
   }
   static request send(const change_mode& what, const step_context& c) { return mode_request(c, what.to); }

@@ -17,14 +17,15 @@
 //   start_plan *        armed         flies the plan      MISSION_START; PX4: its mode   it flies its mission
 //
 //   *  its intent is journalled before it is sent, and its end after it
-//   1  where the task goes on with a flight   2  mission flies the plan; guided and return move; hold is neutral
-//   3  unless the step says otherwise         4  of an armed vehicle in its mission mode
-//   5  or the answer, in the mission mode
+//   1  where the task goes on with a flight   2  mission flies the plan; guided and return move; hold is neutral, or
+//   3  unless the step says otherwise            "holds" for a task that goes on out of it
+//   5  or the answer, in the mission mode     4  of an armed vehicle in its mission mode
+//   6  in its old mode; a hold at the latest after heard_just_now_ns
 //
 // The limits follow from the effect and the task:
 //
 //   what is sent           sent at most           not shown after its answer     without an answer
-//   a stop (hold, return)  max_tries_of_lost      again_after_ns                 at once, after stop_answer_ms
+//   a stop (hold, return)  max_tries_of_lost      again_after_ns                 as it is heard (6)
 //   moves, flies           once; if refused       failed after shown_within_ns   failed after shown_within_ns
 //                          max_tries
 //   neutral                max_tries; lost        again_after_ns                 lost_after_ns
@@ -57,8 +58,10 @@ struct step_attempts {
   std::uint64_t sent_at_heartbeat = 0;
   bool was_in_mission = false; // armed and in its mission mode when it was sent
   bool is_moving = false;      // it moves the vehicle
+  bool changes_mode = false;   // the vehicle was in none of its modes; as a repeated one goes out: was just now
   bool was_accepted = false;
-  bool was_lost = false; // no answer came
+  bool was_lost = false;    // no answer came
+  std::int64_t lost_ns = 0; // of a stop: when none had come
 };
 
 struct step_context {
@@ -72,6 +75,7 @@ struct step_context {
 enum class step_effect {
   stops,
   neutral,
+  holds,     // for what moves it afterwards, by itself
   moves,     // or lets it move when somebody arms it
   flies_plan // the same, by the plan on the vehicle
 };

@@ -76,6 +76,7 @@ inline constexpr std::int64_t judged_after_ns = 300'000'000;
 inline constexpr std::int64_t judged_within_ns = 2'500'000'000;
 inline constexpr std::int64_t pause_between_ns = 1'000'000'000; // before the next try of what was refused
 inline constexpr std::int64_t stop_answer_ms = 800;             // of a stop: done within 2.5 s at 20 % loss
+inline constexpr std::int64_t heard_just_now_ns = 200'000'000;  // as long as copies of an order go out
 inline constexpr std::int64_t until_heartbeat_ns = 100'000'000; // that vehicle_link has, and we have not: on its way
 
 // An automatic start is begun anew for so long while the vehicle refuses it for now: an ArduPilot that has just been

@@ -26,8 +26,11 @@ intended_order task_runner::intended(const world& w) const {
   intended_order result;
   if (means == step_effect::stops)
     result.kind = order_kind::stops;
+  else if (means == step_effect::holds)
+    result.kind = order_kind::holds;
   else if (means != step_effect::neutral)
     result.kind = order_kind::moves;
+  result.is_by_itself = task_->kind == task_kind::deploy || task_->kind == task_kind::come_home_by_plan;
   result.flies_plan = means == step_effect::flies_plan;
   result.looked_ns = step_.observed_ns;
   result.proof_from_ns = w.now_ns - proof_counts_ns;
@@ -101,7 +104,7 @@ void task_runner::on_looked(const world& w, std::uint64_t number, const vehicle_
 
 void task_runner::on_unobserved(const world& w, const std::string& why) {
   if (++step_.unobserved >= max_looks)
-    return fail_unsent(w, "the vehicle can not be observed before it is moved: " + why);
+    return fail_unsent(w, "the vehicle can not be observed before it is commanded: " + why);
   enter(stage::pausing, w.now_ns + look_again_ns);
 }
 
@@ -109,6 +112,7 @@ void task_runner::on_unobserved(const world& w, const std::string& why) {
 
 void task_runner::send(const world& w) {
   const bool is_moving = intended(w).kind == order_kind::moves;
+  const bool was_heard = attempts_.tries == 0 || w.now_ns - w.view.heartbeat_ns() <= heard_just_now_ns;
   attempts_ = {.tries = attempts_.tries + 1,
                .must_ask = attempts_.must_ask,
                .sent_ns = w.now_ns,
@@ -131,13 +135,16 @@ void task_runner::send(const world& w) {
   auto request = request_of(what, context(w));
   if (!request)
     return fail(std::move(request.error()));
-  if (request->modes)
+  if (request->modes) {
+    attempts_.changes_mode = was_heard && !w.view.is_in_one_of(*request->modes);
     expect(w, *request->modes);
+  }
   if (auto* command = std::get_if<vehicle_link::send_command>(&request->what)) {
     command->confirmation = static_cast<std::uint8_t>(attempts_.tries - 1);
     if (is_stop())
       command->timeout_ms = stop_answer_ms;
-    if (is_moving)
+    const auto* mode = std::get_if<change_mode>(&what);
+    if (is_moving || (mode != nullptr && mode->to == flight::mode_kind::hold))
       command->copies = vehicle_link::copies_of_moving_order;
     command->only_while = known(w);
   } else if (auto* plan = std::get_if<vehicle_link::upload_plan>(&request->what)) {
@@ -157,7 +164,7 @@ void task_runner::send(const world& w) {
 // The observation counts for the order that it was made for.
 std::optional<vehicle_link::seen_state> task_runner::known(const world& w) const {
   auto result = w.known;
-  if (result && attempts_.is_moving)
+  if (result && step_.observed_ns != 0)
     result->looked_ns = step_.observed_ns;
   return result;
 }

@@ -23,6 +23,8 @@ bool is_final(const vehicle_link::command_outcome& outcome) {
 
 // That it was accepted does not count: what it does it shows.
 constexpr const char* not_shown = "does not show it";
+constexpr const char* uncertain_hold =
+    "no acknowledgement of godwit's hold came, and the vehicle holds: somebody may have stopped it; resume goes on";
 
 progress::start_intended start_at(const vehicle_view& view, std::uint16_t sequence) {
   return {sequence, view.says_incomplete(), !view.current() || view.current()->seq > sequence};
@@ -44,6 +46,7 @@ void task_runner::begin(const task& what, steps way, std::optional<progress::upl
   ended_.reset();
   why_failed_.clear();
   was_infeasible_ = false;
+  unheard_.reset();
   judged_.reset();
   step_ = {};
   attempts_ = {};
@@ -113,8 +116,8 @@ void task_runner::run_stage(const world& w) {
     begin_step(w);
   else if (stage_ == stage::confirming && is_done(w))
     succeed(w);
-  else if (stage_ == stage::confirming && is_late)
-    retry_or_fail(w, last_reason_.empty() ? not_shown : last_reason_, false);
+  else if (stage_ == stage::confirming && (is_late || (attempts_.lost_ns != 0 && is_heard_since(w))))
+    retry_or_fail(w, last_reason_.empty() ? not_shown : last_reason_, is_return() && !is_heard_since(w));
   else if (stage_ == stage::confirming && w.now_ns >= step_.next_observation_ns)
     observe(w);
   else if (stage_ == stage::observing && is_late)
@@ -159,6 +162,8 @@ void task_runner::begin_step(const world& w) {
   const auto allowed = may_send(intended(w), w.authority, w.seen, w.now_ns);
   if (allowed == permission::not_ours || allowed == permission::wait) // control_watch ends it, or continues it
     return enter(stage::pausing, w.now_ns + until_heartbeat_ns);
+  if (allowed == permission::uncertain)
+    return fail_unsent(w, uncertain_hold);
   if (allowed == permission::prove)
     return prove_plan(w);
   if (intent() != step_intent::none && !std::exchange(step_.is_intent_noted, true)) {
@@ -210,9 +215,12 @@ void task_runner::retry_or_fail(const world& w, const std::string& why, bool is_
     return was_refused ? enter(stage::pausing, w.now_ns + pause_between_ns) : enter(stage::begin);
   const auto warned = w.view.warned_since(attempts_.sent_ns);
   const auto sentence = "the vehicle was asked " + description_of(way_[at_]) + ", and " +
-                        (why == not_shown ? why : "did not: " + why) +
+                        (why == not_shown ? why : (attempts_.was_lost ? "gave " : "did not: ") + why) +
                         (warned.empty() ? "" : "; it reports \"" + warned + "\"");
-  if (const auto* mode = std::get_if<change_mode>(&way_[at_])) // late, it can not be told from a person's
+  const auto* mode = std::get_if<change_mode>(&way_[at_]);
+  if (mode != nullptr && mode->to != flight::mode_kind::hold && !is_heard_since(w))
+    unheard_ = task_->kind;
+  else if (mode != nullptr) // late, it can not be told from a person's
     withdraw(w, flight::modes_obeying(w.view.owner(), mode->to));
   if (intent() == step_intent::none)
     return fail(sentence);
@@ -268,12 +276,22 @@ void task_runner::on_command(const world& w, std::uint64_t number, const vehicle
   if (is_accepted && is_done_by_answer(way_[at_], context(w)))
     return succeed(w);
   attempts_.was_accepted = is_accepted;
+  if (is_accepted && attempts_.changes_mode)
+    w.authority.acknowledge();
   if (attempts_.was_lost && is_stop() && !is_done(w))
-    return enter(stage::confirming, w.now_ns);
+    return look_before_repeating(w);
   if (attempts_.is_moving)
     step_.next_observation_ns = w.now_ns;
   const auto not_moving_ns = is_accepted ? again_after_ns : lost_after_ns;
   enter(stage::confirming, w.now_ns + (attempts_.is_moving ? shown_within_ns : not_moving_ns));
+}
+
+// A stop is repeated as soon as the vehicle is heard in its old mode: by then nobody else has taken it. One that holds
+// it does not wait long for that. One that brings it home moves it, and is not repeated unheard.
+void task_runner::look_before_repeating(const world& w) {
+  attempts_.lost_ns = w.now_ns;
+  step_.next_observation_ns = w.now_ns;
+  enter(stage::confirming, w.now_ns + (is_return() ? shown_within_ns : heard_just_now_ns));
 }
 
 // It has not gone out: that was no try, and has no effect. True: it is decided anew with the heartbeat that is on its

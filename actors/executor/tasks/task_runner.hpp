@@ -83,6 +83,9 @@ public:
   [[nodiscard]] bool was_refused_for_now() const { return was_refused_for_now_; }
   // The plan of the task that began last came to the vehicle, which finds that it can not be flown.
   [[nodiscard]] bool was_infeasible() const { return was_infeasible_; }
+  // The task that failed last: nothing was heard of the vehicle since its last order, which it may have obeyed.
+  [[nodiscard]] const std::optional<task_kind>& unheard() const { return unheard_; }
+  void forget_unheard() { unheard_.reset(); }
   // Of the mission whose plan was to be uploaded.
   [[nodiscard]] std::int32_t brought_revision() const { return intent_ ? intent_->revision : 0; }
   // The vehicle is armed because of the task that began last, or may be.
@@ -130,6 +133,11 @@ private:
   [[nodiscard]] step_context context(const world& w) const {
     return {w.durable, w.view, w.authority, task_->kind, attempts_};
   }
+  // The step under way brings the vehicle home: a stop that moves it.
+  [[nodiscard]] bool is_return() const {
+    const auto* mode = at_ < way_.size() ? std::get_if<change_mode>(&way_[at_]) : nullptr;
+    return mode != nullptr && mode->to == flight::mode_kind::returning;
+  }
   [[nodiscard]] step_intent intent() const { return intent_of(way_[at_]); }
   [[nodiscard]] bool is_done(const world& w) const { return executor::is_done(way_[at_], context(w)); }
 
@@ -141,6 +149,12 @@ private:
   void next_step();
   void succeed(const world& w);
   void retry_or_fail(const world& w, const std::string& why, bool is_final);
+  void look_before_repeating(const world& w);
+  // Since its last order went out, or since it was known to be lost.
+  [[nodiscard]] bool is_heard_since(const world& w) const {
+    return attempts_.lost_ns != 0 ? w.view.heartbeat_ns() > attempts_.lost_ns
+                                  : w.view.heartbeats() > attempts_.sent_at_heartbeat;
+  }
   [[nodiscard]] bool retry_outdated(const world& w);
   void fail(std::string why);
   void fail_unsent(const world& w, std::string why);
@@ -181,6 +195,7 @@ private:
   std::int64_t armed_ns_ = 0; // when arming was sent, and not refused; 0: it was not
   std::optional<verdict> ended_;
   std::string why_failed_;
+  std::optional<task_kind> unheard_;
 
   // -- the step
   stage stage_ = stage::begin;

@@ -27,6 +27,17 @@ protected:
     begin(world);
     ASSERT_TRUE(world.run_until([&] { return (world.*orders)() > 0; }, 20)) << world.story();
   }
+  static mission::document longer_mission() {
+    auto result = tests::short_mission(GetParam());
+    result.revision = 2;
+    result.items.insert(result.items.end() - 1, tests::place(GetParam(), "w9", 30, 60));
+    return result;
+  }
+  // Modes that were ordered since COMMANDS.
+  static long modes_since(const flight_world& world, std::size_t commands) {
+    return std::count(world.commands().begin() + static_cast<std::ptrdiff_t>(commands), world.commands().end(),
+                      io::mavlink::number(io::mavlink::mav_cmd::do_set_mode));
+  }
   static long skipped(const flight_world& world) {
     return std::ranges::count(world.reports(), progress_kind::skipped, &mission::progress_report::kind);
   }
@@ -156,11 +167,8 @@ TEST_P(cut_start, who_has_stopped_it_in_a_silence_in_which_a_replan_held_it_is_n
   begin(world);
   ASSERT_TRUE(world.run_until([&] { return tests::is_told(world, progress_kind::started, "w2"); }, 600))
       << world.story();
-  auto longer = tests::short_mission(GetParam());
-  longer.revision = 2;
-  longer.items.insert(longer.items.end() - 1, tests::place(GetParam(), "w9", 30, 60));
   world.lose_command(io::mavlink::number(io::mavlink::mav_cmd::do_set_mode), 100);
-  world.load(longer);
+  world.load(longer_mission());
   world.run_for(0.05);
   world.cut_line(10);
   world.run_for(6);
@@ -169,6 +177,129 @@ TEST_P(cut_start, who_has_stopped_it_in_a_silence_in_which_a_replan_held_it_is_n
   world.run_for(3);
   const auto orders = world.orders();
   world.run_for(20);
+  EXPECT_EQ(world.durable().status.cause, pause_cause::taken_over) << world.story();
+  EXPECT_EQ(world.orders(), orders) << world.story();
+}
+
+// The vehicle is heard throughout, and nothing tells whose hold that is.
+TEST_P(cut_start, who_has_stopped_it_after_the_hold_of_a_replan_was_lost_is_not_driven_on) {
+  for (const double after_s : {0.3, 0.9, 1.5, 3.0}) {
+    flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+    begin(world);
+    ASSERT_TRUE(world.run_until([&] { return tests::is_told(world, progress_kind::started, "w2"); }, 600))
+        << world.story();
+    world.lose_command(io::mavlink::number(io::mavlink::mav_cmd::do_set_mode), 100);
+    world.load(longer_mission());
+    world.run_for(after_s);
+    if (GetParam() == sim::personality::px4) { // takes a plan in flight, and none of its modes was ordered
+      EXPECT_EQ(world.durable().status.now, phase::flying) << world.story();
+      continue;
+    }
+    world.lose_command(0, 0);
+    world.switch_mode(drill::hold_mode(GetParam()));
+    const auto commands = world.commands().size();
+    world.run_for(20);
+    EXPECT_EQ(modes_since(world, commands), 0) << after_s << "\n" << world.story();
+    EXPECT_EQ(world.durable().status.now, phase::paused) << after_s << "\n" << world.story();
+  }
+}
+
+// The same of an operator's change, which holds the vehicle first.
+TEST_P(cut_start, who_has_stopped_it_after_the_hold_of_a_go_to_was_lost_is_not_driven_on) {
+  for (const double after_s : {0.3, 0.5, 0.7, 1.2, 1.5}) {
+    flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+    begin(world);
+    ASSERT_TRUE(world.run_until([&] { return tests::is_told(world, progress_kind::started, "w2"); }, 600))
+        << world.story();
+    world.lose_command(io::mavlink::number(io::mavlink::mav_cmd::do_set_mode), 100);
+    operators::command there;
+    there.kind = command_kind::go_to;
+    there.place = mission::position{47.3978, 8.5460, 30};
+    ASSERT_TRUE(world.say(there).is_taken) << world.sentence();
+    world.run_for(after_s);
+    world.lose_command(0, 0);
+    world.switch_mode(drill::hold_mode(GetParam()));
+    world.run_for(0.3);
+    const auto commands = world.commands().size();
+    world.run_for(20);
+    EXPECT_EQ(modes_since(world, commands), 0) << after_s << "\n" << world.story();
+    EXPECT_EQ(world.durable().status.now, phase::paused) << after_s << "\n" << world.story();
+  }
+}
+
+TEST_P(cut_start, a_replan_whose_hold_was_not_acknowledged_waits_for_an_operator_who_sends_it_on_with_the_new_plan) {
+  if (GetParam() == sim::personality::px4)
+    return; // no hold
+  flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+  begin(world);
+  ASSERT_TRUE(world.run_until([&] { return tests::is_told(world, progress_kind::started, "w2"); }, 600))
+      << world.story();
+  world.load(longer_mission());
+  ASSERT_TRUE(world.run_until([&] { return world.commands().back() == 176; }, 5)) << world.story();
+  world.lose_message(io::mavlink::command_ack::message_id);
+  world.run_for(1.5);
+  world.lose_message(0);
+  ASSERT_TRUE(world.run_until_phase(phase::paused, 10)) << world.story();
+  EXPECT_NE(world.sentence().find("somebody may have stopped it"), std::string::npos) << world.sentence();
+  world.crash(); // and the next incarnation does the same
+  world.run_for(5);
+  EXPECT_EQ(world.durable().status.now, phase::paused) << world.story();
+  EXPECT_NE(world.sentence().find("somebody may have stopped it"), std::string::npos) << world.sentence();
+  ASSERT_TRUE(world.say(command_kind::resume).is_taken) << world.sentence();
+  ASSERT_TRUE(world.run_until_phase(phase::done, 2'000)) << world.story();
+  EXPECT_TRUE(tests::is_told(world, progress_kind::reached, "w9")) << world.story();
+}
+
+// They may have been obeyed, and then they are godwit's.
+TEST_P(cut_start, what_was_ordered_and_obeyed_unheard_is_followed_when_the_vehicle_is_heard_again) {
+  for (const auto what : {command_kind::come_home, command_kind::resume}) {
+    flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+    begin(world);
+    ASSERT_TRUE(world.run_until([&] { return tests::is_told(world, progress_kind::started, "w2"); }, 600))
+        << world.story();
+    if (what == command_kind::resume) {
+      ASSERT_TRUE(world.say(command_kind::pause).is_taken);
+      ASSERT_TRUE(world.run_until_phase(phase::paused, 5)) << world.story();
+    }
+    const auto orders = world.orders();
+    ASSERT_TRUE(world.say(what).is_taken) << world.sentence();
+    ASSERT_TRUE(world.run_until([&] { return world.orders() > orders; }, 5)) << world.story();
+    world.deafen(8);
+    world.run_for(14);
+    EXPECT_EQ(world.durable().status.now, what == command_kind::resume ? phase::flying : phase::landing)
+        << world.story();
+    ASSERT_TRUE(world.run_until_phase(what == command_kind::resume ? phase::done : phase::aborted, 2'000))
+        << world.story();
+  }
+}
+
+// Nobody sees what it would move: a person may have stopped the vehicle after the first.
+TEST_P(cut_start, a_return_is_not_repeated_while_the_vehicle_is_not_heard) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+  begin(world);
+  ASSERT_TRUE(world.run_until([&] { return tests::is_told(world, progress_kind::started, "w2"); }, 600))
+      << world.story();
+  world.deafen(8);
+  const auto commands = world.commands().size();
+  ASSERT_TRUE(world.say(command_kind::come_home).is_taken) << world.sentence();
+  world.run_for(1);
+  world.switch_mode(drill::hold_mode(GetParam()));
+  world.run_for(20);
+  EXPECT_EQ(modes_since(world, commands), 1) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::taken_over) << world.story();
+}
+
+TEST_P(cut_start, whoever_holds_it_in_the_air_after_a_start_that_failed_unheard_has_it) {
+  if (GetParam() == sim::personality::rover)
+    return; // it stands, and is told as armed
+  flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+  begin_until(world, &flight_world::starts);
+  world.cut_line(12);
+  world.run_for(8);
+  ASSERT_TRUE(world.vehicle().describe().in_air) << world.story();
+  world.switch_mode(drill::hold_mode(GetParam()));
+  const auto orders = world.orders();
+  world.run_for(10);
   EXPECT_EQ(world.durable().status.cause, pause_cause::taken_over) << world.story();
   EXPECT_EQ(world.orders(), orders) << world.story();
 }

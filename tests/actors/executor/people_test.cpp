@@ -341,7 +341,7 @@ TEST_P(people_at_a_copter, a_pilot_who_takes_loiter_after_a_hold_of_ours_that_wa
   flight_world world(
       {.who = GetParam(), .speed = 4}); // a heartbeat each quarter of a second: a Copter tells each change
   ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::started, "w2"));
-  world.lose_command(set_mode, 1);
+  world.lose_command(set_mode, 3);
   ASSERT_TRUE(world.say(command_kind::pause).is_taken);
   world.run_for(0.5);
   world.switch_mode(hold_mode(GetParam()));
@@ -355,7 +355,7 @@ TEST_P(people_at_a_copter, a_pilot_who_takes_loiter_after_a_hold_of_ours_that_wa
 TEST_P(people, a_pause_that_was_lost_is_said_again_each_second_and_shown_as_pausing) {
   flight_world world({.who = GetParam(), .speed = 1});
   ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::started, "w2"));
-  world.lose_command(set_mode, 2);
+  world.lose_command(set_mode, 6);
   ASSERT_TRUE(world.say(command_kind::pause).is_taken);
   world.run_for(0.5);
   EXPECT_EQ(world.durable().status.now, phase::pausing) << world.story();
@@ -366,7 +366,7 @@ TEST_P(people, a_pause_that_was_lost_is_said_again_each_second_and_shown_as_paus
 TEST_P(people, whoever_chooses_an_item_while_a_pause_is_not_obeyed_yet_has_not_said_that_it_goes_on) {
   flight_world world({.who = GetParam(), .speed = 1});
   ASSERT_TRUE(fly_to(world, tests::short_mission(GetParam()), progress_kind::started, "w2"));
-  world.lose_command(set_mode, 1);
+  world.lose_command(set_mode, 3);
   ASSERT_TRUE(world.say(command_kind::pause).is_taken);
   world.run_for(0.5);
   ASSERT_EQ(world.durable().status.now, phase::pausing) << world.story();

@@ -271,7 +271,7 @@ TEST_P(unanswered_change, that_a_takeover_or_a_pause_has_ended_is_forgotten_also
   for (const bool takes_over : {false, true}) {
     flight_world world({.who = GetParam()});
     fly(world);
-    world.lose_command(io::mavlink::number(io::mavlink::mav_cmd::do_set_mode), 4); // the hold takes its time
+    world.lose_command(io::mavlink::number(io::mavlink::mav_cmd::do_set_mode), 12); // the hold takes its time
     go_there(world);
     ASSERT_TRUE(world.durable().commanded);
     if (takes_over) {

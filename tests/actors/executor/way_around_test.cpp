@@ -237,10 +237,11 @@ TEST_P(come_home, said_while_a_pause_on_the_way_is_not_obeyed_yet_is_the_last_wo
   ASSERT_TRUE(world->say(command_kind::come_home).is_taken);
   ASSERT_TRUE(run_until_phase(phase::landing, 6)) << world->story();
   run_for(2);
-  world->lose_command(176, 1); // DO_SET_MODE
+  world->lose_command(176, 3); // DO_SET_MODE
   ASSERT_TRUE(world->say(command_kind::pause).is_taken) << world->story();
   run_for(0.3);
   ASSERT_EQ(world->durable().status.now, phase::pausing) << world->story();
+  world->lose_command(0, 0);
   ASSERT_TRUE(world->say(command_kind::come_home).is_taken) << world->story();
   EXPECT_TRUE(run_until_phase(phase::aborted)) << world->story();
   EXPECT_LE(from_home_m(), 8) << world->story();

@@ -94,6 +94,40 @@ TEST(control_authority, a_hold_after_a_silence_is_that_of_a_person_who_has_stopp
   EXPECT_EQ(after(who, brake, 10 * s), holder::person);
 }
 
+// Seen on a real rover, heard throughout.
+TEST(control_authority, a_hold_whose_order_was_not_acknowledged_is_uncertain_until_an_operator_commands_it) {
+  auto who = in_flight();
+  who.expect({brake.custom_mode}, 0, 5 * s);
+  who.on_mode(copter, brake, false, s);
+  EXPECT_TRUE(who.is_ours());
+  EXPECT_TRUE(who.is_uncertain());
+  auto answered_late = who;
+  answered_late.acknowledge();
+  EXPECT_FALSE(answered_late.is_uncertain());
+  who.confirm_hold();
+  EXPECT_FALSE(who.is_uncertain());
+}
+
+TEST(control_authority, a_hold_whose_order_was_acknowledged_is_certain_and_so_is_what_no_hold_is) {
+  auto who = in_flight();
+  who.expect({brake.custom_mode}, 0, 5 * s);
+  who.acknowledge();
+  who.on_mode(copter, brake, false, s);
+  EXPECT_FALSE(who.is_uncertain());
+  who.expect({automatic.custom_mode}, 2 * s, 7 * s);
+  who.on_mode(copter, automatic, false, 3 * s);
+  EXPECT_FALSE(who.is_uncertain());
+}
+
+TEST(control_authority, an_acknowledgement_counts_for_its_own_order_alone) {
+  auto who = in_flight();
+  who.expect({automatic.custom_mode}, 0, 5 * s);
+  who.acknowledge();
+  who.expect_also({brake.custom_mode}, s, 6 * s);
+  who.on_mode(copter, brake, false, 2 * s);
+  EXPECT_TRUE(who.is_uncertain());
+}
+
 TEST(control_authority, an_order_that_has_expired_before_a_silence_is_not_expected_after_it) {
   auto who = in_flight();
   constexpr flight_mode goes_home{mode_kind::returning, 6};

@@ -4,6 +4,7 @@
 
 #include "actors/executor/tasks/steps.hpp"
 #include "actors/vehicle_link/order_check.hpp"
+#include "tests/actors/domain/control_authority/vehicles.hpp"
 
 namespace godwit::executor {
 namespace may_send_test {
@@ -24,7 +25,8 @@ flight::control_authority somebody_elses() {
 }
 
 intended_order start(std::int64_t looked_ns, std::int64_t now_ns) {
-  return {order_kind::moves, true, looked_ns, now_ns - proof_counts_ns};
+  return {
+      .kind = order_kind::moves, .flies_plan = true, .looked_ns = looked_ns, .proof_from_ns = now_ns - proof_counts_ns};
 }
 
 evidence proved(std::int64_t at_ns) {
@@ -34,7 +36,7 @@ evidence proved(std::int64_t at_ns) {
 }
 
 TEST(may_send, what_stops_the_vehicle_goes_out_whoever_has_it) {
-  EXPECT_EQ(may_send({order_kind::stops, false, 0, 0}, somebody_elses(), {}, 100 * s), permission::may);
+  EXPECT_EQ(may_send({.kind = order_kind::stops}, somebody_elses(), {}, 100 * s), permission::may);
 }
 
 TEST(may_send, nothing_that_moves_the_vehicle_goes_out_while_somebody_else_has_it) {
@@ -59,6 +61,24 @@ TEST(may_send, an_order_that_moves_the_vehicle_needs_a_look_that_is_not_older_th
   EXPECT_EQ(may_send(start(0, 100 * s), ours(), proved(99 * s), 100 * s), permission::look);
   EXPECT_EQ(may_send(start(99 * s - 1, 100 * s), ours(), proved(99 * s), 100 * s), permission::look);
   EXPECT_EQ(may_send(start(99 * s, 100 * s), ours(), proved(99 * s), 100 * s), permission::may);
+}
+
+TEST(may_send, a_hold_for_what_goes_on_by_itself_needs_a_look_as_well) {
+  EXPECT_EQ(may_send({.kind = order_kind::holds}, ours(), {}, 100 * s), permission::look);
+  EXPECT_EQ(may_send({.kind = order_kind::holds, .looked_ns = 100 * s}, ours(), {}, 100 * s), permission::may);
+}
+
+TEST(may_send, nothing_goes_on_by_itself_out_of_a_hold_that_may_be_somebody_elses) {
+  constexpr flight::flight_mode brake{flight::mode_kind::hold, 17};
+  auto order = start(100 * s, 100 * s);
+  auto who = ours();
+  who.expect({brake.custom_mode}, 0, 200 * s);
+  who.on_mode(flight::tests::copter, brake, false, s);
+  EXPECT_EQ(may_send(order, who, proved(99 * s), 100 * s), permission::may) << "an operator's";
+  order.is_by_itself = true;
+  EXPECT_EQ(may_send(order, who, proved(99 * s), 100 * s), permission::uncertain);
+  who.acknowledge();
+  EXPECT_EQ(may_send(order, who, proved(99 * s), 100 * s), permission::may);
 }
 
 TEST(may_send, an_act_of_somebody_else_after_the_look_needs_another_one) {

@@ -10,10 +10,10 @@ permission may_send(const intended_order& order, const flight::control_authority
     return permission::not_ours;
   if (authority.is_unclear())
     return permission::wait;
+  if (order.is_by_itself && authority.is_uncertain())
+    return permission::uncertain;
   if (order.kind == order_kind::neutral)
     return permission::may;
-  if (order.kind == order_kind::moves && order.is_by_itself && authority.is_uncertain())
-    return permission::uncertain;
   if (order.flies_plan && !seen.plan.is_proved_since(order.proof_from_ns))
     return permission::prove;
   const bool is_looked_at =

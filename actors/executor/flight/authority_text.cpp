@@ -37,7 +37,7 @@ std::string_view authority_text(const flight_context& flight) {
     return "pending";
   if (!flight.authority.is_watching())
     return flight.is_in_flight() ? "unclear" : "nobody";
-  return flight.authority.is_unclear() ? "unclear" : text_of(flight.authority.who());
+  return flight.authority.is_unclear() || flight.authority.is_uncertain() ? "unclear" : text_of(flight.authority.who());
 }
 
 } // namespace godwit::executor

@@ -197,9 +197,9 @@ TEST_P(cut_start, who_has_stopped_it_after_the_hold_of_a_replan_was_lost_is_not_
     }
     world.lose_command(0, 0);
     world.switch_mode(drill::hold_mode(GetParam()));
-    const auto commands = world.commands().size();
+    const auto orders = world.orders();
     world.run_for(20);
-    EXPECT_EQ(modes_since(world, commands), 0) << after_s << "\n" << world.story();
+    EXPECT_EQ(world.orders(), orders) << after_s << "\n" << world.story();
     EXPECT_EQ(world.durable().status.now, phase::paused) << after_s << "\n" << world.story();
   }
 }
@@ -220,9 +220,9 @@ TEST_P(cut_start, who_has_stopped_it_after_the_hold_of_a_go_to_was_lost_is_not_d
     world.lose_command(0, 0);
     world.switch_mode(drill::hold_mode(GetParam()));
     world.run_for(0.3);
-    const auto commands = world.commands().size();
+    const auto orders = world.orders();
     world.run_for(20);
-    EXPECT_EQ(modes_since(world, commands), 0) << after_s << "\n" << world.story();
+    EXPECT_EQ(world.orders(), orders) << after_s << "\n" << world.story();
     EXPECT_EQ(world.durable().status.now, phase::paused) << after_s << "\n" << world.story();
   }
 }

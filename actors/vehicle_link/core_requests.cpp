@@ -228,6 +228,8 @@ effects core::on_look(std::uint64_t request_id, instant now) {
 effects core::on_watch_closely(const watch_closely& what, instant now) {
   decision_context t(*this, now);
   streams_.want_heartbeats(what.is_close, now.monotonic_ns);
+  if (!what.is_close)
+    commands_.send_no_more_copies();
   ask_for_streams(t);
   return std::move(t.done);
 }

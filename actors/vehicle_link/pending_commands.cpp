@@ -113,6 +113,11 @@ void pending_commands::send_no_more_copies(const send_command& of) {
     found->second.what.copies = 1;
 }
 
+void pending_commands::send_no_more_copies() {
+  for (auto& [which, entry] : waiting_)
+    entry.what.copies = 1;
+}
+
 std::optional<resolved_command> pending_commands::acknowledge(const io::mavlink::command_ack& ack,
                                                               std::uint8_t component, std::int64_t now_ns) {
   const auto found = waiting_.find({ack.command, component});

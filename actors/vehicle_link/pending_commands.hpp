@@ -53,6 +53,7 @@ public:
   // Copies that are to be sent now, each with its `confirmation`.
   [[nodiscard]] std::vector<send_command> due_copies(std::int64_t now_ns);
   void send_no_more_copies(const send_command& of);
+  void send_no_more_copies(); // of any
 
   // All that wait end like this, because the vehicle or the link has changed.
   [[nodiscard]] std::vector<resolved_command> end_all(command_verdict verdict, const std::string& reason);

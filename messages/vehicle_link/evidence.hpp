@@ -52,7 +52,8 @@ struct looked {
   GODWIT_FIELDS(looked, "vehicle_link.looked", is_seen, at_ns, reason);
 };
 
-// While a flight is started the vehicle is asked for five heartbeats a second, and for one again afterwards.
+// While a flight is started the vehicle is asked for five heartbeats a second, and for one again afterwards. No copy of
+// an order of the start goes out after it.
 struct watch_closely {
   bool is_close = false;
   GODWIT_FIELDS(watch_closely, "vehicle_link.watch_closely", is_close);

@@ -35,6 +35,9 @@ std::string_view authority_text(const flight_context& flight) {
   }
   if (flight.pending.is_pending())
     return "pending";
+  const bool is_over = !flight.is_in_flight() && !flight.is_starting(); // a start that failed
+  if (flight.authority.is_watching() && is_over)
+    return flight.view.is_armed() ? "unclear" : "nobody";
   if (!flight.authority.is_watching())
     return flight.is_in_flight() ? "unclear" : "nobody";
   return flight.authority.is_unclear() || flight.authority.is_uncertain() ? "unclear" : text_of(flight.authority.who());

@@ -53,6 +53,8 @@ std::string flight_context::sentence() const {
     result += ": " + preflight::sentence_of(s.preflight);
   else if (waits_for_next())
     result += ": the missions service is asked for the next mission";
+  if (at.now == phase::ready && view.is_armed())
+    result += at.reason.empty() ? ": the vehicle stands armed" : "; the vehicle stands armed";
   if (at.now == phase::starting && !refused_start.empty())
     result += ": " + refused_start_sentence();
   const bool fails = s.preflight.now == preflight::phase::failed || s.preflight.now == preflight::phase::awaiting_ack;

@@ -126,6 +126,7 @@ TEST_P(cut_start, a_vehicle_that_was_armed_unheard_is_told_as_armed_until_it_is_
     EXPECT_EQ(world.durable().status.now, phase::paused) << world.story();
     EXPECT_NE(world.sentence().find("stands armed"), std::string::npos) << world.story();
     EXPECT_EQ(world.starts(), 0) << world.story();
+    EXPECT_NE(world.authority(), "godwit");
     world.disarm_by_hand();
     ASSERT_TRUE(world.run_until([&] { return world.sentence().find("stands armed") == std::string::npos; }, 5))
         << world.story();
@@ -143,6 +144,27 @@ TEST_P(cut_start, a_start_that_is_stopped_in_the_moment_of_its_arm_leaves_nothin
   EXPECT_FALSE(world.vehicle().describe().armed) << world.story();
   EXPECT_EQ(world.durable().status.now, phase::paused) << world.story();
   EXPECT_EQ(world.starts(), 0) << world.story();
+}
+
+// The first was lost.
+TEST_P(cut_start, no_copy_of_an_arm_goes_out_after_the_start_was_stopped) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+  begin(world);
+  world.lose_command(io::mavlink::number(io::mavlink::mav_cmd::component_arm_disarm), 1);
+  ASSERT_TRUE(world.run_until([&] { return world.arms() > 0; }, 20)) << world.story();
+  ASSERT_TRUE(world.say(command_kind::pause).is_taken) << world.sentence();
+  EXPECT_FALSE(world.run_until([&] { return world.vehicle().describe().armed; }, 4)) << world.story();
+  EXPECT_EQ(world.authority(), "nobody");
+}
+
+TEST_P(cut_start, a_vehicle_that_somebody_arms_when_it_is_ready_is_told_as_armed) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+  world.load(tests::short_mission(GetParam()));
+  ASSERT_TRUE(world.run_until_phase(phase::ready, 120)) << world.story();
+  EXPECT_EQ(world.sentence().find("armed"), std::string::npos) << world.sentence();
+  world.arm_by_hand();
+  world.run_for(2);
+  EXPECT_NE(world.sentence().find("the vehicle stands armed"), std::string::npos) << world.sentence();
 }
 
 // Only the way to the vehicle is left: what it does by then nobody knows.

@@ -224,6 +224,7 @@ public:
   // Frames that name another system than the vehicle's as the one that is meant.
   [[nodiscard]] int sent_to_others() const { return sent_to_others_; }
   [[nodiscard]] std::string sentence() const { return core_->sentence(); }
+  [[nodiscard]] std::string_view authority() const { return core_->authority(); }
   [[nodiscard]] std::string home_moved() const { return core_->home_moved(); }
   // Of the link's journal: of the flight that is open.
   [[nodiscard]] const std::optional<vehicle_link::vehicle_name>& kept_vehicle() const { return kept_; }

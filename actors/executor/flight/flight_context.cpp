@@ -163,12 +163,29 @@ bool flight_context::flies_deleted_mission() const {
 
 bool flight_context::is_coming_down() const { return is_landing() || (ends_on_ground() && is_at_end_of_plan()); }
 
+bool flight_context::is_at_rally_point(double metres, instant now) const {
+  if (!s.last_line.has_rally)
+    return false;
+  using io::mavlink::units_a_degree;
+  const auto is_at = [&](double latitude, double longitude) {
+    return view.is_within(metres, {latitude, longitude}, now.now_ns);
+  };
+  const bool is_stations = std::ranges::any_of(
+      s.station_rally, [&](const auto& each) { return is_at(each.x / units_a_degree, each.y / units_a_degree); });
+  return is_stations ||
+         (s.mission && s.mission->rally_points && std::ranges::any_of(*s.mission->rally_points, [&](const auto& each) {
+            return is_at(each.latitude, each.longitude);
+          }));
+}
+
 bool flight_context::came_down_as_planned(instant now) const {
   if (!ends_on_ground() || view.is_under_way())
     return false;
   const auto& last = *last_flown_item(s);
   const bool is_wing = view.owner().vehicle == flight::vehicle_class::fixed_wing;
   const auto metres = is_wing ? fixed_wing_landed_there_m : landed_there_m;
+  if (plan::is_return_item(last) && is_at_rally_point(metres, now))
+    return true;
   if (plan::is_return_item(last))
     return view.home() && !returns_elsewhere() && view.is_within(metres, plan::point_of(*view.home()), now.now_ns);
   using io::mavlink::units_a_degree;

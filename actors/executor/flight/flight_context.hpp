@@ -149,6 +149,8 @@ struct flight_context {
   [[nodiscard]] bool ends_on_ground() const;       // by a landing or a return
   // On the ground, where the last item of the plan leads.
   [[nodiscard]] bool came_down_as_planned(instant now) const;
+  // One that godwit has brought to the vehicle: its returns end there where that is nearer than home.
+  [[nodiscard]] bool is_at_rally_point(double metres, instant now) const;
   // PX4 says that a plan is complete as its return begins, and after any landing. It is when the vehicle is where the
   // plan leads: on the ground there, or in the air in a mode of the plan; and not any more when the next one is brought
   // to a vehicle that stands.

@@ -8,6 +8,7 @@ namespace {
 using flight::mode_kind;
 
 constexpr std::int64_t stands_ns = 2'000'000'000;           // disarmed for so long, before its mode is changed
+constexpr double rally_radius_m = 8;                        // as of home
 constexpr std::int64_t last_word_within_ns = 4'000'000'000; // MISSION_CURRENT comes once a second, and may be lost
 
 bool is_open(phase now) { return !is_over(now) && now != phase::starting && !is_on_way(now); }
@@ -31,7 +32,8 @@ bool flight_end::is_down(instant now) const {
   if (!flight_.drives())
     return flight_.is_plan_finished() && flight_.was_up && !view.is_under_way();
   if (view.is_in(mode_kind::returning)) // ArduPilot's rover stays in that mode
-    return (flight_.was_called_home() || flight_.is_plan_finished()) && view.stands_at_home(now.now_ns);
+    return (flight_.was_called_home() || flight_.is_plan_finished()) &&
+           (view.stands_at_home(now.now_ns) || (view.stands() && flight_.is_at_rally_point(rally_radius_m, now)));
   const bool holds_on_the_way = flight_.s.status.now == phase::paused || flight_.homing.at != homing_stage::none;
   return flight_.is_plan_finished() || (flight_.was_called_home() && view.is_in(mode_kind::hold) && !holds_on_the_way);
 }

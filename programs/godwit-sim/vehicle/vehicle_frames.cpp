@@ -204,11 +204,20 @@ void vehicle::parts::hear(mavlink::sender from, const plans::incoming& m) {
   react(plans_.on(from, m, now_.real_ns), was_receiving);
 }
 
+void vehicle::parts::take_rally_points() {
+  std::vector<position> places;
+  for (const auto& each : plans_.plan(mavlink::mav_mission_type::rally).items)
+    places.push_back({each.x / mavlink::units_a_degree, each.y / mavlink::units_a_degree, craft_.home().altitude_m});
+  craft_.set_rally_points(std::move(places));
+}
+
 void vehicle::parts::react(const plans::reaction& to, bool was_receiving) {
   bool is_whole = false;
   for (const auto& each : to.changes) {
     is_whole = is_whole || each.kind != plans::plan_change_kind::begun_replacing;
     pilot_->on_change(each);
+    if (each.type == mavlink::mav_mission_type::rally && each.kind != plans::plan_change_kind::begun_replacing)
+      take_rally_points();
   }
   outlet::line_set partner;
   for (const auto& each : to.messages)

@@ -80,6 +80,7 @@ private:
   // Orders, parameters and such, by their target.
   [[nodiscard]] bool is_for_us(std::uint8_t system, std::uint8_t component) const;
   [[nodiscard]] bool is_asked_of_all(const mavlink::command_long& m) const;
+  void take_rally_points();
   void react(const plans::reaction& to, bool was_receiving);
   void note_partner(mavlink::sender who);
   [[nodiscard]] outlet::line_set lines_of_partner(mavlink::sender who) const;

@@ -23,9 +23,9 @@ protected:
   upload items = station_items(GetParam());
 };
 
-upload rally_points(sim::personality who) {
+upload rally_points(sim::personality who, const std::vector<double>& north_m = {10, 20}) {
   upload result;
-  for (const double north : {10.0, 20.0}) {
+  for (const double north : north_m) {
     auto each = waypoint_at(who, north, 0);
     each.command = number(mav_cmd::nav_rally_point);
     each.mission_type = number(mav_mission_type::rally);
@@ -53,6 +53,30 @@ TEST_P(last_line_of, the_rally_points_of_a_station_go_there_with_its_plan) {
   ASSERT_TRUE(comes_to_have(0, 2)) << world.story();
   world.run_for(1);
   EXPECT_TRUE(was_said(world, "its returns lead to one of them")) << world.story();
+}
+
+// Seen of PX4: its return led to one of them, 33 m from home, and the flight counted as ended by a person.
+TEST_P(last_line_of, a_return_of_the_plan_or_an_operator_that_ends_at_a_rally_point_is_complete) {
+  for (const bool is_called : {false, true}) {
+    flight_world flown{with_last_line()};
+    flown.station_says(taken(rally_points(GetParam(), {40}), mav_mission_type::rally));
+    if (GetParam() == sim::personality::rover && !is_called)
+      continue; // its plan returns to no rally point
+    ASSERT_TRUE(bring(flown, items)) << flown.story();
+    ASSERT_TRUE(flown.run_until([&] { return flown.vehicle().describe().rally_count == 1; }, 30)) << flown.story();
+    const auto place = rally_points(GetParam(), {40}).front();
+    const auto north = [&] { return flown.vehicle().describe().where.latitude_deg - place.x * 1e-7; };
+    ASSERT_TRUE(fly_two_items(flown, items)) << flown.story();
+    ASSERT_TRUE(flown.run_until([&] { return north() > 0; }, 600)) << flown.story();
+    if (is_called) {
+      ASSERT_TRUE(flown.say(operators::command_kind::come_home).is_taken) << flown.sentence();
+    }
+    ASSERT_TRUE(flown.run_until_phase(is_called ? phase::aborted : phase::done)) << flown.story();
+    EXPECT_FALSE(was_said(flown, "moved the vehicle's home")) << flown.story();
+    if (GetParam() != sim::personality::plane) {      // which lands as its plan says, or circles
+      EXPECT_NEAR(north(), 0, 5e-5) << flown.story(); // 5 m
+    }
+  }
 }
 
 TEST_P(last_line_of, what_is_cleared_with_the_plan_is_cleared_on_the_vehicle) {

@@ -77,6 +77,7 @@ public:
   [[nodiscard]] const body& where() const { return mover_.where(); }
   [[nodiscard]] const position& home() const { return home_; }
   void set_home(const position& where) { home_ = where; }
+  void set_rally_points(std::vector<position> places) { mover_.set_rally_points(std::move(places)); }
   [[nodiscard]] double altitude_above_home_m() const { return where().where.altitude_m - home_.altitude_m; }
   [[nodiscard]] bool is_in_air() const { return mover_.is_in_air(); } // never for a rover
   [[nodiscard]] bool is_moving() const { return where().ground_speed_mps > 0.1 || where().climb_mps != 0; }

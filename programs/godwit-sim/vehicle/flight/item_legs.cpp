@@ -120,7 +120,8 @@ leg_list legs_to(const go_leg& place, const mover& vehicle) {
   return legs;
 }
 
-leg_list legs_home(const position& home, const mover& vehicle) {
+leg_list legs_home(const position& first_home, const mover& vehicle) {
+  const auto home = vehicle.return_place(first_home);
   if (vehicle.is_rover())
     return {go_leg{home, vehicle.what().arrival_radius_m, true}};
   if (!vehicle.is_in_air())

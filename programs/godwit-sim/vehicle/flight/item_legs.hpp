@@ -42,8 +42,8 @@ struct item_setting {
 
 // To a place, from the ground or in the air.
 [[nodiscard]] leg_list legs_to(const go_leg& place, const mover& vehicle);
-// To the return altitude, home, and down; a rover: home; a fixed wing: circles over home. On the ground who flies is
-// back.
+// To the return altitude, home or to a rally point that is nearer, and down; a rover: there; a fixed wing: circles over
+// it. On the ground who flies is back. Seen of PX4 1.17: 33 m from home.
 [[nodiscard]] leg_list legs_home(const position& home, const mover& vehicle);
 
 } // namespace godwit::sim

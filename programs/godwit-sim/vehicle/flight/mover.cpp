@@ -25,6 +25,14 @@ mover::mover(const craft& what, const position& where) : craft_(what), ground_m_
   body_.where = where;
 }
 
+position mover::return_place(const position& home) const {
+  auto result = home;
+  for (const auto& each : rally_points_)
+    if (between(body_.where, each).distance_m < between(body_.where, result).distance_m)
+      result = each;
+  return result;
+}
+
 void mover::rest(double step_s) {
   circled_.reset();
   if (is_rover())

@@ -37,6 +37,9 @@ public:
   void drop();
   // Something holds it where it is, whatever its motors do; not a fixed wing in the air.
   void block(bool is_blocked) { is_blocked_ = is_blocked; }
+  // On the ground; it returns to the nearest of them and of home.
+  void set_rally_points(std::vector<position> places) { rally_points_ = std::move(places); }
+  [[nodiscard]] position return_place(const position& home) const;
 
   [[nodiscard]] const craft& what() const { return craft_; }
   [[nodiscard]] const body& where() const { return body_; }
@@ -58,6 +61,7 @@ private:
   double ground_m_;
   bool is_in_air_ = false;
   bool is_blocked_ = false;
+  std::vector<position> rally_points_;
   std::optional<way> circled_; // by a fixed wing that holds
 };
 

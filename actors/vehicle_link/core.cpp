@@ -103,7 +103,8 @@ void core::take_frame(decision_context& t, io::link::peer_id peer, const mavlink
     tell_foreign(t, foreign_.on_frame(frame, watch_.vehicle()->system, t.now.monotonic_ns));
   const bool is_relayed = !is_forged && relay(t, frame);
   const bool may_be_payload = frame.id() == mavlink::gimbal_device_attitude_status::message_id ||
-                              frame.id() == mavlink::camera_image_captured::message_id;
+                              frame.id() == mavlink::camera_image_captured::message_id ||
+                              frame.id() == mavlink::adsb_vehicle::message_id;
   const bool is_payload = may_be_payload && watch_.vehicle() && from.system == watch_.vehicle()->system && !is_forged;
   const auto take_message = [&](const auto& message) { take(t, message); };
   if (!(is_vehicle || is_payload) ||

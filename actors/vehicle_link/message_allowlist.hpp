@@ -18,7 +18,7 @@
 // MISSION_COUNT, MISSION_CLEAR_ALL, MISSION_WRITE_PARTIAL_LIST and MISSION_SET_CURRENT of anybody else to the vehicle
 // are signs of another plan (foreign_watch), and go no further. RADIO_STATUS is taken from any sender of the link: it
 // is the radio's word and not the autopilot's. Of GIMBAL_DEVICE_ATTITUDE_STATUS any component of the vehicle's system
-// is heard, as of CAMERA_IMAGE_CAPTURED: a gimbal or a camera may report for itself.
+// is heard, as of CAMERA_IMAGE_CAPTURED and ADSB_VEHICLE: a gimbal, a camera or a receiver may report for itself.
 //
 // | Sent                                                        | When                                  |
 // |-------------------------------------------------------------|---------------------------------------|
@@ -44,12 +44,14 @@ namespace godwit::vehicle_link {
 namespace mavlink = io::mavlink;
 
 // Told to listeners, as they come from the autopilot.
-using told_messages = mavlink::message_list<
-    mavlink::heartbeat, mavlink::current_mode, mavlink::sys_status, mavlink::system_time, mavlink::gps_raw_int,
-    mavlink::attitude, mavlink::global_position_int, mavlink::mission_current, mavlink::mission_item_reached,
-    mavlink::vfr_hud, mavlink::battery_status, mavlink::autopilot_version, mavlink::fence_status,
-    mavlink::ekf_status_report, mavlink::estimator_status, mavlink::home_position, mavlink::extended_sys_state,
-    mavlink::statustext, mavlink::gimbal_device_attitude_status, mavlink::radio_status>;
+using told_messages =
+    mavlink::message_list<mavlink::heartbeat, mavlink::current_mode, mavlink::sys_status, mavlink::system_time,
+                          mavlink::gps_raw_int, mavlink::attitude, mavlink::global_position_int,
+                          mavlink::mission_current, mavlink::mission_item_reached, mavlink::vfr_hud,
+                          mavlink::battery_status, mavlink::autopilot_version, mavlink::fence_status,
+                          mavlink::ekf_status_report, mavlink::estimator_status, mavlink::home_position,
+                          mavlink::extended_sys_state, mavlink::statustext, mavlink::gimbal_device_attitude_status,
+                          mavlink::radio_status, mavlink::adsb_vehicle, mavlink::collision>;
 
 // Taken and used here.
 using used_messages =

@@ -41,9 +41,10 @@ inline constexpr std::array<std::uint32_t, 17> never{
 };
 
 // What listeners are not told of them.
-inline constexpr std::array<std::uint32_t, 4> told_but_not_forwarded{
-    mavlink::current_mode::message_id, mavlink::ekf_status_report::message_id, mavlink::estimator_status::message_id,
-    mavlink::gimbal_device_attitude_status::message_id};
+inline constexpr std::array<std::uint32_t, 6> told_but_not_forwarded{
+    mavlink::adsb_vehicle::message_id,     mavlink::collision::message_id,
+    mavlink::current_mode::message_id,     mavlink::ekf_status_report::message_id,
+    mavlink::estimator_status::message_id, mavlink::gimbal_device_attitude_status::message_id};
 
 // Bytes that were cut off are 0.
 [[nodiscard]] inline std::optional<std::uint8_t> target_of(const mavlink::frame_view& frame) {

@@ -19,6 +19,7 @@
 #include "io/mavlink/messages/param.hpp"
 #include "io/mavlink/messages/position.hpp"
 #include "io/mavlink/messages/setup_signing.hpp"
+#include "io/mavlink/messages/traffic.hpp"
 #include "io/mavlink/messages/vehicle_status.hpp"
 #include "io/mavlink/messages/version.hpp"
 
@@ -75,8 +76,8 @@ using known_messages =
                  mission_item_reached, mission_ack, mission_request_int, mission_item_int, vfr_hud, command_int,
                  command_long, command_ack, command_cancel, radio_status, timesync, battery_status, autopilot_version,
                  fence_status, ekf_status_report, estimator_status, home_position, extended_sys_state, statustext,
-                 setup_signing, gimbal_device_attitude_status, protocol_version, camera_feedback,
-                 camera_image_captured>;
+                 setup_signing, gimbal_device_attitude_status, protocol_version, camera_feedback, camera_image_captured,
+                 adsb_vehicle, collision>;
 
 // Decodes FRAME and calls F(const M&) with the message; false if it is not one of ours.
 template <class F>

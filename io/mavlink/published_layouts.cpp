@@ -12,11 +12,13 @@
 #include "io/mavlink/messages/position.hpp"
 #include "io/mavlink/messages/request_data_stream.hpp"
 #include "io/mavlink/messages/setup_signing.hpp"
+#include "io/mavlink/messages/traffic.hpp"
 #include "io/mavlink/messages/vehicle_status.hpp"
 #include "io/mavlink/messages/version.hpp"
 
 namespace godwit::io::mavlink {
 
+static_assert(as_published<adsb_vehicle>(38, 38));
 static_assert(as_published<battery_status>(36, 54));
 static_assert(as_published<system_time>(12, 12));
 static_assert(as_published<ping>(14, 14));
@@ -24,6 +26,7 @@ static_assert(as_published<timesync>(16, 18));
 static_assert(as_published<set_mode>(6, 6));
 static_assert(as_published<camera_feedback>(45, 47));
 static_assert(as_published<camera_image_captured>(255, 255));
+static_assert(as_published<collision>(19, 19));
 static_assert(as_published<command_int>(35, 35));
 static_assert(as_published<command_long>(33, 33));
 static_assert(as_published<command_ack>(3, 10));

@@ -420,6 +420,34 @@ TEST(vehicle_link_core, a_gimbal_of_the_vehicle_speaks_for_itself_and_one_of_ano
   EXPECT_TRUE(c.vehicle.say(c.it, gimbal_device_attitude_status{}, 0, {2, 154}).empty());
 }
 
+TEST(vehicle_link_core, other_aircraft_are_heard_of_from_the_autopilot_and_a_receiver_of_the_vehicle_alone) {
+  using mavlink::adsb_vehicle;
+  connected c;
+  EXPECT_EQ(observed<adsb_vehicle>(c.vehicle.say(c.it, adsb_vehicle{}, 0)).size(), 1U);
+  EXPECT_EQ(observed<adsb_vehicle>(c.vehicle.say(c.it, adsb_vehicle{}, 0, {1, 156})).size(), 1U);
+  EXPECT_TRUE(c.vehicle.say(c.it, adsb_vehicle{}, 0, {2, 156}).empty());
+  EXPECT_EQ(observed<mavlink::collision>(c.vehicle.say(c.it, mavlink::collision{}, 0)).size(), 1U);
+  EXPECT_TRUE(c.vehicle.say(c.it, mavlink::collision{}, 0, {1, 156}).empty()) << "it is the autopilot's judgement";
+}
+
+TEST(vehicle_link_core, an_ardupilot_is_asked_for_the_aircraft_that_it_hears_and_their_absence_is_no_fault) {
+  const auto asks = [](mavlink::mav_autopilot who) {
+    settings configured;
+    std::erase_if(configured.streams,
+                  [](const auto& each) { return each.message != mavlink::adsb_vehicle::message_id; });
+    connected c(configured, {}, who);
+    for (std::int64_t now = s; now < 30 * s; now += s) {
+      (void)c.vehicle.beat(c.it, now, who);
+      (void)c.vehicle.say(c.it, ack(511, mavlink::mav_result::accepted), now);
+      (void)c.it.on_time(at(now));
+    }
+    EXPECT_TRUE(c.it.describe(at(30 * s)).missing_streams.empty());
+    return !sent_of<mavlink::command_long>(c.hello).empty();
+  };
+  EXPECT_TRUE(asks(mavlink::mav_autopilot::ardupilotmega));
+  EXPECT_FALSE(asks(mavlink::mav_autopilot::px4)) << "it sends them by itself";
+}
+
 TEST(vehicle_link_core, the_clock_of_a_gimbal_tells_of_no_start_of_the_autopilot) {
   connected c;
   (void)c.vehicle.say(c.it, mavlink::attitude{.time_boot_ms = 600'000}, 0);

@@ -57,6 +57,12 @@ TEST_F(vehicle_relay, what_listeners_hear_anyway_is_not_told_twice) {
   EXPECT_TRUE(is_relayed(193, std::vector<std::uint8_t>(22, 1))) << "EKF_STATUS_REPORT";
 }
 
+TEST_F(vehicle_relay, stations_hear_of_other_aircraft_whoever_reports_them) {
+  for (const std::uint8_t component : {1, 156})
+    EXPECT_TRUE(is_relayed(246, std::vector<std::uint8_t>(38, 1), {1, component})) << int{component};
+  EXPECT_TRUE(is_relayed(247, std::vector<std::uint8_t>(19, 1))) << "COLLISION";
+}
+
 TEST_F(vehicle_relay, plans_clocks_keys_and_commands_of_the_vehicle_stay_here) {
   for (const std::uint32_t each : {4, 40, 44, 47, 51, 73, 75, 76, 111, 256})
     EXPECT_FALSE(is_relayed(each, std::vector<std::uint8_t>(12, 1))) << each;

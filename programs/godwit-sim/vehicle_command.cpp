@@ -10,6 +10,7 @@
 
 #include "programs/common/line_printer.hpp"
 #include "programs/godwit-sim/commands.hpp"
+#include "programs/godwit-sim/vehicle/other_aircraft.hpp"
 #include "programs/godwit-sim/vehicle_options.hpp"
 #ifdef GODWIT_HAS_EYES
 #include "programs/godwit-sim/camera_server/vehicle_camera.hpp"
@@ -153,6 +154,10 @@ void add_vehicle_options(CLI::App& app, vehicle_arguments& given) {
   app.add_option("--battery", given.battery, "Its charge at the start")
       ->type_name("PERCENT")
       ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
+  app.add_option("--traffic", given.aircraft, "So many other aircraft that its ADS-B receiver hears")
+      ->type_name("N")
+      ->check(CLI::Range(0, max_other_aircraft))
       ->capture_default_str();
   app.add_flag("--payload", given.has_payload, "It has a gripper, and a camera whose pictures it reports");
   app.add_flag("--arm-on-start", given.arm_on_start, "rover: MISSION_START arms it");

@@ -75,6 +75,7 @@ tl::expected<hosted_settings, std::string> read_vehicle(const vehicle_arguments&
   result.vehicle.home = *home;
   result.vehicle.speed = given.speed;
   result.vehicle.battery_percent = given.battery;
+  result.vehicle.aircraft = given.aircraft;
   result.vehicle.has_payload = given.has_payload;
   result.vehicle.arms_on_start = given.arm_on_start;
   for (const auto& each : given.refuse) {

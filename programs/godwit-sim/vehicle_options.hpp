@@ -41,6 +41,7 @@ struct vehicle_arguments {
   std::string control;
   std::string camera;
   std::string camera_truth;
+  int aircraft = 0;
   bool has_payload = false;
   bool arm_on_start = false;
   std::string tlog;

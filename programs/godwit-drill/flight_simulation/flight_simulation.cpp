@@ -70,6 +70,7 @@ flight_simulation::flight_simulation(const options& wanted, const mission::docum
   vehicle.seed = wanted.seed;
   vehicle.stream_factor = wanted.stream_factor;
   vehicle.beats_at_mode_change = wanted.beats_at_mode_change;
+  vehicle.aircraft = wanted.aircraft;
   vehicle_ = std::make_unique<sim::vehicle>(vehicle, now_ns_, [this](std::span<const std::byte> frame) {
     audit_.on_answered(mavlink::frame_view(frame.data()), now_ns_);
     line_.send(sim::way::out, frame, now_ns_);

@@ -75,6 +75,7 @@ public:
     bool beats_at_mode_change = true;     // of an ArduPilot
     bool is_person_on_other_line = false; // to the vehicle: godwit does not hear what they are answered
     bool has_neighbour = false;           // another vehicle of the same kind, system 2, 100 m away on the same line
+    int aircraft = 0;                     // others, that a receiver on the vehicle hears
     sim::line_faults line = {};
     // On UDP one heartbeat is not believed; nobody goes there, the frames come by a line of the simulation's.
     std::string vehicle_line = "udpin://127.0.0.1:0";

@@ -46,6 +46,7 @@ struct vehicle_settings {
   double stream_factor = 1;         // rates of the default streams, times this
   int rtl_autoland = 3;             // plane: its RTL_AUTOLAND; 0, ArduPilot's default: DO_LAND_START keeps it disarmed
   bool has_payload = false;         // GRIP_ENABLE and CAM1_TYPE 1, or TRIG_MODE 4; off, as by default
+  int aircraft = 0;                 // others, that a receiver on it reports; at most max_other_aircraft
   bool holds_when_landed = false;   // px4: as a VTOL of it was seen to, after the landing of a mission
   bool beats_at_mode_change = true; // ardupilot, plane: off for what was recorded before they did
 };

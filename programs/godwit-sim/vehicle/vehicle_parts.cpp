@@ -8,6 +8,7 @@
 #include "programs/godwit-sim/vehicle/autopilot/plane.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/px4.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/rover.hpp"
+#include "programs/godwit-sim/vehicle/other_aircraft.hpp"
 #include "runtime/assert.hpp"
 
 namespace godwit::sim {
@@ -15,6 +16,7 @@ namespace godwit::sim {
 namespace {
 
 constexpr std::uint8_t autopilot_component = 1;
+constexpr std::uint8_t receiver_component = 156; // MAV_COMP_ID_ADSB
 
 std::unique_ptr<autopilot> make_autopilot(const vehicle_settings& settings, const equipment& with) {
   switch (settings.who) {
@@ -119,6 +121,16 @@ void vehicle::parts::advance(std::int64_t now_ns) {
   advance_plans();
   advance_params();
   send_streams();
+  send_aircraft();
+}
+
+// Once a second of the world each.
+void vehicle::parts::send_aircraft() {
+  if (settings_.aircraft == 0 || now_.world_ns < next_aircraft_ns_)
+    return;
+  next_aircraft_ns_ = now_.world_ns + ns_per_s;
+  for (int number = 0; number < settings_.aircraft; ++number)
+    out_.send_as(receiver_component, other_aircraft(settings_.home, number, static_cast<double>(now_.world_ns) * 1e-9));
 }
 
 void vehicle::parts::send_streams() {
@@ -184,6 +196,8 @@ void vehicle::parts::find_deadline() {
   auto world = std::min(craft_.next_step_ns(), pilot_->next_timer_ns());
   for (const auto& each : streams_)
     world = std::min(world, each.next_due_ns());
+  if (settings_.aircraft != 0)
+    world = std::min(world, next_aircraft_ns_);
   deadline_ns_ = std::min({clock_.real_ns(world), plans_.next_deadline_ns(), params_.next_due_ns()});
 }
 

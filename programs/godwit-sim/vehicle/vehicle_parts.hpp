@@ -87,6 +87,7 @@ private:
   [[nodiscard]] double load() const;
   [[nodiscard]] line_streams make_streams();
   void send_streams();
+  void send_aircraft();
 
   vehicle_settings settings_;
   const traits& traits_;
@@ -105,6 +106,7 @@ private:
   std::unique_ptr<autopilot> pilot_;
   line_number params_line_ = 0;                                    // where all of them were asked for last
   std::vector<std::pair<mavlink::sender, line_number>> uploaders_; // and readers: where each was heard last
+  std::int64_t next_aircraft_ns_ = 0;                              // world time
   std::int64_t silent_until_ns_ = 0;                               // real time; while it starts
   bool is_starting_ = false;
   std::int64_t deadline_ns_ = 0;

@@ -85,6 +85,14 @@ public:
       if (aim_.test(number))
         lines_[number].send(mavlink::encode(message, ourselves_, lines_[number].sequence++).span());
   }
+  // By another component of the vehicle, which numbers its frames itself.
+  template <mavlink::message M>
+  void send_as(std::uint8_t component, const M& message) {
+    if (is_silent_)
+      return;
+    for (auto& each : lines_)
+      each.send(mavlink::encode(message, {ourselves_.system, component}, each.sequence_of_others++).span());
+  }
   // A frame of a message that has no struct.
   void send_payload(std::uint32_t id, std::uint8_t crc_extra, mavlink::byte_view payload);
 
@@ -114,6 +122,7 @@ private:
     frame_sink send;
     bool holds_texts_back = false;
     std::uint8_t sequence = 0;
+    std::uint8_t sequence_of_others = 0;
     std::uint16_t next_text_id = 0;
     std::deque<sentence> waiting;
     std::vector<mavlink::sender> heard;

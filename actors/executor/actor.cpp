@@ -60,6 +60,7 @@ actor::behavior_type actor::handlers() {
       on<get_flight>([this](const get_flight&) { return describe(); }),
       on<get_missions>([this](const get_missions&) { return core_->missions(); }),
       on<get_plan>([this](const get_plan&) { return plan_view_of(current_state(), core_->view()); }),
+      on<get_traffic>([this](const get_traffic&) { return core_->traffic(now()); }),
       on<get_preflight>(
           [this](const get_preflight&) { return preflight_view_of(current_state().preflight, core_->last_look()); }),
       on_deferred<station_act, act_answer>(
@@ -85,6 +86,8 @@ actor::behavior_type actor::handlers() {
       hears<io::mavlink::ekf_status_report>(),
       hears<io::mavlink::estimator_status>(),
       hears<io::mavlink::statustext>(),
+      hears<io::mavlink::adsb_vehicle>(),
+      hears<io::mavlink::collision>(),
       hears<vehicle_link::connection_changed>(),
       hears<vehicle_link::vehicle_restarted>(),
       hears<vehicle_link::foreign_act>(),
@@ -114,6 +117,7 @@ actor::behavior_type actor::handlers() {
         keep_vehicle(true);
         after_turn();
         show_missions(); // they change seldom, and what they are takes a look at all items
+        show_traffic();
       })};
 }
 
@@ -145,6 +149,8 @@ void actor::started() {
 // A stop is answered while the disk does not write; what else was taken is on the disk by then.
 void actor::obey(const operators::command& m, std::uint64_t request_id) {
   const auto answer = core_->on_operator(m, now());
+  if (!answer.advice.empty())
+    execute(announce{answer.advice, true}); // to stations, which are answered by a number alone
   after_turn();
   if (operators::is_stop(m.kind))
     answer_later(request_id, answer);

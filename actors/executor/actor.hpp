@@ -64,6 +64,8 @@ public:
   static constexpr std::chrono::milliseconds tick_period{200};
   // The vehicle of an open flight is named to vehicle_link so often.
   static constexpr std::chrono::nanoseconds keep_period{1'000'000'000};
+  // Other aircraft are shown so often.
+  static constexpr std::int64_t traffic_period_ns = 1'000'000'000;
   // The guardian has its turns, or the process ends.
   static constexpr std::chrono::milliseconds guardian_patience{1'000};
   // Above those of starts, which count nanoseconds since 1970.
@@ -132,6 +134,7 @@ private:
   void show_flight();
   void show_missions();
   void show_way_home();
+  void show_traffic();
   [[nodiscard]] flight_status describe() const;
 
   settings settings_;
@@ -149,8 +152,10 @@ private:
   bool is_sending_table_ = false;
   std::optional<bool> kept_told_; // to vehicle_link: a flight is open
   std::int64_t kept_told_ns_ = 0;
-  std::optional<flight_status> shown_flight_;               // to the watchers
-  std::optional<known_missions> shown_missions_;            // to the viewers
+  std::optional<flight_status> shown_flight_;    // to the watchers
+  std::optional<known_missions> shown_missions_; // to the viewers
+  bool shows_traffic_ = false;                   // to the same: some was there
+  std::int64_t traffic_shown_ns_ = 0;
   std::vector<progress::mission_record> restored_missions_; // what was reported of them may have been shown before
   std::string told_phase_;                                  // to the stations: each sentence once in a row
   std::optional<preflight::journal_facts> journal_facts_;   // as recorded last

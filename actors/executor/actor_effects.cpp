@@ -178,6 +178,21 @@ void actor::show_way_home() {
     tell(each, core_->way_home(now()));
 }
 
+// While there is any, and once when there is none any more.
+void actor::show_traffic() {
+  const auto at_ns = now().now_ns;
+  if (others_->viewers.empty() || at_ns - traffic_shown_ns_ < traffic_period_ns)
+    return;
+  const auto seen = core_->traffic(now());
+  const bool is_any = !seen.aircraft.empty() || !seen.warnings.empty();
+  if (!is_any && !std::exchange(shows_traffic_, false))
+    return;
+  shows_traffic_ = is_any;
+  traffic_shown_ns_ = at_ns;
+  for (const auto& each : others_->viewers)
+    tell(each, seen);
+}
+
 void actor::dispatch(const durable_core::effect& each) {
   std::visit(
       [this]<class M>(const M& m) {

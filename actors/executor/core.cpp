@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "actors/domain/energy/energy.hpp"
 #include "actors/domain/vehicle_text/vehicle_text.hpp"
 #include "actors/executor/flight/new_run.hpp"
 #include "actors/executor/progress/acts.hpp"
@@ -59,6 +60,7 @@ effects core::on_vehicle(const vehicle_link::foreign_act& m, instant) {
 
 effects core::on_vehicle(const io::mavlink::global_position_int& m, instant now) {
   flight_.view.take(m, now.now_ns);
+  flight_.traffic.take(m, now.now_ns);
   plan_.on_position(now);
   return {};
 }
@@ -178,9 +180,20 @@ operators::answer core::on_operator(const operators::command& m, instant now) {
   else if (m.kind == command_kind::pull) {
     auto why = service_.pull();
     return {why.empty(), std::move(why)};
-  } else
-    return operators_.take(m, recovery_.has_looked(), now);
+  } else {
+    auto answer = operators_.take(m, recovery_.has_looked(), now);
+    if (answer.is_taken)
+      answer.advice = advice_on_way(m, now);
+    return answer;
+  }
   return {true, {}};
+}
+
+std::string core::advice_on_way(const operators::command& m, instant now) const {
+  if (!m.place)
+    return {};
+  return flight_.traffic.on_way(*m.place, energy::pace_of(flight_.view.owner().vehicle).cruise_mps,
+                                flight_.configured.close_traffic, now.now_ns);
 }
 
 // What is paused, or is to be, stays so: whoever chooses an item has not said that it goes on.

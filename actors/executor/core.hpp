@@ -57,6 +57,7 @@
 #include "actors/executor/flight/watches/last_line.hpp"
 #include "actors/executor/flight/watches/plan_watch.hpp"
 #include "actors/executor/flight/watches/standstill_watch.hpp"
+#include "actors/executor/flight/watches/traffic_watch.hpp"
 #include "messages/executor/types.hpp"
 #include "messages/operator/types.hpp"
 
@@ -91,6 +92,8 @@ public:
   [[nodiscard]] effects on_vehicle(const io::mavlink::sys_status& m, instant now);
   [[nodiscard]] effects on_vehicle(const io::mavlink::home_position& m, instant now);
   [[nodiscard]] effects on_vehicle(const io::mavlink::global_position_int& m, instant now);
+  [[nodiscard]] effects on_vehicle(const io::mavlink::adsb_vehicle& m, instant now) { return hear_traffic(m, now); }
+  [[nodiscard]] effects on_vehicle(const io::mavlink::collision& m, instant now) { return hear_traffic(m, now); }
   template <class M>
   [[nodiscard]] effects on_vehicle(const M& m, instant now) {
     if constexpr (requires { flight_.view.take(m, now.now_ns); })
@@ -174,6 +177,9 @@ public:
   [[nodiscard]] bool is_battery_short() const { return energy_.is_short(); } // for the way home
   // What it would take of the battery now.
   [[nodiscard]] way_home_estimate way_home(instant now) const { return energy_.way_home(now); }
+  [[nodiscard]] heard_traffic traffic(instant now) const {
+    return flight_.traffic.all(flight_.configured.close_traffic, now.now_ns);
+  }
   [[nodiscard]] known_missions missions() const {
     return list_missions(flight_, {service_.refusal(), stations_.refused_upload(), flight_.is_withdrawn()});
   }
@@ -196,6 +202,13 @@ public:
 private:
   static const std::array<ruling, ruling_count> rulings;
 
+  template <class M>
+  [[nodiscard]] effects hear_traffic(const M& m, instant now) {
+    flight_.traffic.take(m, now.now_ns);
+    return {};
+  }
+  // Of other aircraft, to who sends the vehicle there; empty: nothing.
+  [[nodiscard]] std::string advice_on_way(const operators::command& m, instant now) const;
   void note_of_mission(effects& out, const progress::event& what, instant now);
 
   [[nodiscard]] bool look(effects& out, instant now) { return recovery_.look(out, now); }
@@ -235,6 +248,7 @@ private:
   energy_control energy_{flight_};
   vehicle_messages messages_;
   standstill_watch standstill_{flight_};
+  traffic_watch traffic_{flight_};
   service_view service_{flight_};
   preparation preparation_{flight_, phases_, tasks_, energy_, service_};
   part_choice parts_{flight_, tasks_};

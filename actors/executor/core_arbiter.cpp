@@ -51,6 +51,7 @@ effects core::advance(instant now) {
   effects out;
   service_.ask_again(out, now);
   standstill_.look(out, now);
+  traffic_.look(out, now);
   watch_.look_at_left_armed(out, now);
   tasks_.follow_unheard(out, now);
   ground_.on_task();

@@ -6,6 +6,7 @@
 
 #include "actors/domain/mission/commands/command_policy.hpp"
 #include "actors/domain/mission/place_limits.hpp"
+#include "actors/domain/traffic/traffic.hpp"
 #include "actors/executor/preflight/settings.hpp"
 #include "io/fields/field_table.hpp"
 
@@ -64,8 +65,9 @@ struct settings {
   deletion_policy deleted_mission = deletion_policy::go_on;
   scan_policy scans = scan_policy::with_survey;
   failsafe_gone_policy failsafe_gone = failsafe_gone_policy::come_home;
-  mission::place_limits limits; // of each mission, and of a place to which an operator sends the vehicle
-  double fence_margin_m = 10;   // of the way to where an operator sends the vehicle
+  mission::place_limits limits;  // of each mission, and of a place to which an operator sends the vehicle
+  double fence_margin_m = 10;    // of the way to where an operator sends the vehicle
+  traffic::limits close_traffic; // of which people are told
   double own_loiter_radius_m = 80;
   double return_altitude_m = 0;
   double drain_percent_per_min = 0;           // of the battery, before it was measured in a flight; 0: not known

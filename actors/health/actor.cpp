@@ -96,6 +96,7 @@ void actor::collect() {
   collect_actors();
   collect_part("flight", others_->flight, executor::get_flight{}, &report::flight);
   collect_part("missions", others_->missions, executor::get_missions{}, &report::missions);
+  collect_part("traffic", others_->traffic, executor::get_traffic{}, &report::traffic);
   collect_part("failsafe", others_->failsafe, failsafe::get_failsafe_status{}, &report::failsafe);
   collect_part("vehicle", others_->vehicle, vehicle_link::get_connection{}, &report::vehicle);
   collect_part("ground", others_->ground, ground_port::get_port{}, &report::ground);

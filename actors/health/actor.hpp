@@ -28,6 +28,7 @@ struct peers {
   runtime::guardian_handle guardian;
   runtime::mailbox<runtime::asks<executor::get_flight, executor::flight_status>> flight;
   runtime::mailbox<runtime::asks<executor::get_missions, executor::known_missions>> missions;
+  runtime::mailbox<runtime::asks<executor::get_traffic, executor::heard_traffic>> traffic;
   runtime::mailbox<runtime::asks<failsafe::get_failsafe_status, failsafe::failsafe_status>> failsafe;
   runtime::mailbox<runtime::asks<vehicle_link::get_connection, vehicle_link::connection>> vehicle;
   runtime::mailbox<runtime::asks<ground_port::get_port, ground_port::port_description>> ground;

@@ -12,6 +12,7 @@
 #include "io/fields/field_table.hpp"
 #include "messages/executor/flight.hpp"
 #include "messages/executor/known_missions.hpp"
+#include "messages/executor/traffic.hpp"
 #include "messages/failsafe/types.hpp"
 #include "messages/fleet_link/types.hpp"
 #include "messages/ground_port/types.hpp"
@@ -100,6 +101,7 @@ struct report {
   health_status health;
   std::optional<executor::flight_status> flight;
   std::optional<executor::known_missions> missions;
+  std::optional<executor::heard_traffic> traffic;
   std::optional<failsafe::failsafe_status> failsafe;
   std::optional<vehicle_link::connection> vehicle;
   std::optional<ground_port::port_description> ground;
@@ -112,8 +114,8 @@ struct report {
   trace_figures trace;
   process_figures process;
   std::vector<unanswered_part> unanswered;
-  GODWIT_FIELDS(report, "health.report", at_ms, health, flight, missions, failsafe, vehicle, ground, service, map,
-                fleet, actors, mail, journal, trace, process, unanswered);
+  GODWIT_FIELDS(report, "health.report", at_ms, health, flight, missions, traffic, failsafe, vehicle, ground, service,
+                map, fleet, actors, mail, journal, trace, process, unanswered);
 };
 
 } // namespace godwit::health

@@ -26,7 +26,7 @@ const kept_command* find_kept(const state& s, const operator_command& m) {
 
 command_answer of(const operators::answer& m) {
   if (m.is_taken)
-    return {verdict::taken, {}};
+    return {verdict::taken, m.advice};
   return {m.state.empty() ? verdict::refused : verdict::stale, m.reason, m.state};
 }
 

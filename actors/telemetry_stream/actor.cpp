@@ -27,6 +27,7 @@ actor::behavior_type actor::handlers() {
           shows<executor::flight_status>(),
           shows<executor::known_missions>(),
           shows<executor::way_home_estimate>(),
+          shows<executor::heard_traffic>(),
           shows<health::health_status>(),
           on<scan_controller::point_shown>([this](const scan_controller::point_shown&) { ask_points(); }),
           on<scan_controller::point_closed>([this](const scan_controller::point_closed&) { ask_points(); })};

@@ -132,6 +132,8 @@ publications core::take(const executor::way_home_estimate& m, std::int64_t now_n
   return {made(topic::way_home, m)};
 }
 
+publications core::take(const executor::heard_traffic& m, std::int64_t) { return {made(topic::traffic, m)}; }
+
 publications core::take(const health::health_status& m, std::int64_t) { return {made(topic::health, m)}; }
 
 publications core::take(const mapobjects_store::map_status& m, std::int64_t) {

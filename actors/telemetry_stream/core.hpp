@@ -17,6 +17,7 @@
 #include "io/mavlink/messages/position.hpp"
 #include "messages/executor/flight.hpp"
 #include "messages/executor/known_missions.hpp"
+#include "messages/executor/traffic.hpp"
 #include "messages/health/types.hpp"
 #include "messages/mapobjects_store/status.hpp"
 #include "messages/scan_controller/point.hpp"
@@ -48,6 +49,7 @@ public:
   [[nodiscard]] publications take(const executor::flight_status& m, std::int64_t now_ns);
   [[nodiscard]] publications take(const executor::known_missions& m, std::int64_t now_ns);
   [[nodiscard]] publications take(const executor::way_home_estimate& m, std::int64_t now_ns);
+  [[nodiscard]] publications take(const executor::heard_traffic& m, std::int64_t now_ns);
   [[nodiscard]] publications take(const health::health_status& m, std::int64_t now_ns);
   [[nodiscard]] publications take(const mapobjects_store::map_status& m, std::int64_t now_ns);
   // PICTURED: the numbers of points that the camera has shown. WALL_NS: since 1970 (UTC).

@@ -8,11 +8,13 @@
 #include "io/mavlink/messages/heartbeat.hpp"
 #include "io/mavlink/messages/mission.hpp"
 #include "io/mavlink/messages/position.hpp"
+#include "io/mavlink/messages/traffic.hpp"
 #include "io/mavlink/messages/vehicle_status.hpp"
 #include "messages/executor/flight.hpp"
 #include "messages/executor/known_missions.hpp"
 #include "messages/executor/plan_view.hpp"
 #include "messages/executor/station_act.hpp"
+#include "messages/executor/traffic.hpp"
 #include "messages/executor/types.hpp"
 #include "messages/failsafe/types.hpp"
 #include "messages/mission_client/handle.hpp"
@@ -35,13 +37,15 @@ using operator_handle =
     runtime::mailbox<runtime::asks<operators::command, operators::answer>, runtime::asks<get_flight, flight_status>>;
 
 // What those ask for who show a flight; they can cause nothing.
-using view_handle = runtime::mailbox<runtime::asks<get_plan, plan_view>, runtime::asks<get_preflight, preflight_view>>;
+using view_handle = runtime::mailbox<runtime::asks<get_plan, plan_view>, runtime::asks<get_preflight, preflight_view>,
+                                     runtime::asks<get_traffic, heard_traffic>>;
 
 // The missions that it knows.
 using missions_handle = runtime::mailbox<runtime::asks<get_missions, known_missions>>;
 
 // Who shows a flight to people, and is told what changes beside its status.
-using viewer = runtime::mailbox<runtime::tells<known_missions>, runtime::tells<way_home_estimate>>;
+using viewer =
+    runtime::mailbox<runtime::tells<known_missions>, runtime::tells<way_home_estimate>, runtime::tells<heard_traffic>>;
 
 // Who is told how the flight stands, when it stands otherwise than before.
 using flight_watcher = runtime::mailbox<runtime::tells<flight_status>>;
@@ -54,6 +58,7 @@ using telemetry_handle =
                      runtime::tells<io::mavlink::mission_current>, runtime::tells<io::mavlink::mission_item_reached>,
                      runtime::tells<io::mavlink::ekf_status_report>, runtime::tells<io::mavlink::estimator_status>,
                      runtime::tells<io::mavlink::current_mode>, runtime::tells<io::mavlink::statustext>,
+                     runtime::tells<io::mavlink::adsb_vehicle>, runtime::tells<io::mavlink::collision>,
                      runtime::tells<vehicle_link::connection_changed>, runtime::tells<vehicle_link::vehicle_restarted>,
                      runtime::tells<vehicle_link::foreign_act>, runtime::tells<vehicle_link::line_findings>,
                      runtime::tells<vehicle_link::picture_taken>>;

@@ -53,9 +53,10 @@ struct command {
 
 struct answer {
   bool is_taken = false;
-  std::string reason;     // sentence for people; empty when taken
-  std::string state = {}; // of the flight, when the command was meant for another one; else empty
-  GODWIT_FIELDS(answer, "operator.answer", is_taken, reason, state);
+  std::string reason;      // sentence for people; empty when taken
+  std::string state = {};  // of the flight, when the command was meant for another one; else empty
+  std::string advice = {}; // of one that is taken: what whoever said it should know; nothing else comes of it
+  GODWIT_FIELDS(answer, "operator.answer", is_taken, reason, state, advice);
 };
 
 } // namespace godwit::operators

@@ -48,7 +48,7 @@ GODWIT_ENUM_NAMES(verdict, taken, refused, stale, late, no_session, wrong_role, 
 
 struct command_answer {
   operator_bridge::verdict verdict = operator_bridge::verdict::unknown;
-  std::string reason;     // sentence for people; empty when taken
+  std::string reason;     // sentence for people; of one that is taken what its sender should know, mostly nothing
   std::string state = {}; // of the flight, when stale
   GODWIT_FIELDS(command_answer, "operator_bridge.command_answer", verdict, reason, state);
   friend bool operator==(const command_answer&, const command_answer&) = default;

@@ -27,13 +27,14 @@ enum class topic {
   log,       // a line of godwitd's log
   points,    // of interest
   missions,  // that are known
-  way_home   // what it would take of the battery
+  way_home,  // what it would take of the battery
+  traffic    // other aircraft
 };
 
-inline constexpr std::size_t topic_count = 16;
+inline constexpr std::size_t topic_count = 17;
 
 GODWIT_ENUM_NAMES(topic, clock, link, position, attitude, battery, gps, home, flight, authority, progress, map, health,
-                  log, points, missions, way_home);
+                  log, points, missions, way_home, traffic);
 
 struct clock_update {
   std::uint64_t beat = 0; // 1, 2, 3, ... of this incarnation of the stream

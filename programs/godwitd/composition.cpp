@@ -107,6 +107,7 @@ void composition::add_flight(control::peers& of_desk) {
   flight_ = daemon::add_flight(host_->actors(), wanted_, outside_, base_);
   of_desk.flight = flight_.executor;
   of_desk.missions = flight_.executor;
+  of_desk.traffic = flight_.executor;
   of_desk.bridge = flight_.bridge;
   of_desk.read_audit = audit_of_journal();
   if (wanted_.operators)

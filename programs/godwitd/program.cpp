@@ -101,7 +101,10 @@ std::string rescued_text(const json& answer) {
   return "the journal is written to " + answer.value("file", std::string());
 }
 
-std::string taken_text(const json&) { return "done"; }
+std::string taken_text(const json& answer) {
+  const auto advice = answer.value("advice", std::string());
+  return advice.empty() ? "done" : "done; " + advice;
+}
 
 std::string sent_text(const json&) {
   return "sent; autopilots do not answer it: `godwitd ctl status` shows whether the vehicle signs";

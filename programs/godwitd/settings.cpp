@@ -187,6 +187,8 @@ checked read_flight(const json& configuration, daemon_settings& to) {
   to.flight.takeoff_again = io::value_of<executor::start_policy>(text(flight, "takeoff_again")).value();
   to.flight.limits.max_altitude_m = flight.at("max_altitude_m").get<double>();
   to.flight.limits.max_distance_m = flight.at("max_distance_m").get<double>();
+  to.flight.close_traffic = {flight.at("traffic_distance_m").get<double>(), flight.at("traffic_height_m").get<double>(),
+                             flight.at("traffic_time_s").get<double>()};
   to.flight.own_loiter_radius_m = flight.at("own_loiter_radius_m").get<double>();
   to.flight.drain_percent_per_min = flight.at("drain_percent_per_min").get<double>();
   to.flight.return_altitude_m = flight.at("return_altitude_m").get<double>();

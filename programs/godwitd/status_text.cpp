@@ -116,6 +116,17 @@ std::string mission_lines(const json& missions) {
   return result.empty() ? "none is known" : result;
 }
 
+// "2 aircraft; the nearest: SWR123, 800 m to the north-east, 60 m higher, closest in 25 s at 120 m"
+std::string traffic_line(const json& traffic) {
+  const auto aircraft = traffic.value("aircraft", json::array());
+  auto result = aircraft.empty()
+                    ? std::string("no aircraft is heard")
+                    : std::to_string(aircraft.size()) + " aircraft; the nearest: " + text(aircraft.front(), "sentence");
+  for (const auto& each : traffic.value("warnings", json::array()))
+    result += "\n" + std::string(key_width, ' ') + each.get<std::string>();
+  return result;
+}
+
 std::string sightings_line(const json& seen) {
   return number(seen, "recorded") + " recorded, " + number(seen, "refused") + " refused, " +
          number(seen, "unreadable") + " unreadable" +
@@ -225,12 +236,12 @@ struct part_row {
   std::string (*line)(const json& part);
 };
 
-constexpr part_row parts[] = {{"health", health_line},       {"run", run_line},           {"flight", flight_line},
-                              {"missions", mission_lines},   {"failsafe", failsafe_line}, {"operators", operators_line},
-                              {"port", port_line},           {"service", service_line},   {"map", map_line},
-                              {"sightings", sightings_line}, {"points", points_line},     {"eyes", eyes_line},
-                              {"fleet", fleet_line},         {"vehicle", vehicle_line},   {"ground", ground_line},
-                              {"actors", actor_lines}};
+constexpr part_row parts[] = {
+    {"health", health_line},   {"run", run_line},           {"flight", flight_line},       {"missions", mission_lines},
+    {"traffic", traffic_line}, {"failsafe", failsafe_line}, {"operators", operators_line}, {"port", port_line},
+    {"service", service_line}, {"map", map_line},           {"sightings", sightings_line}, {"points", points_line},
+    {"eyes", eyes_line},       {"fleet", fleet_line},       {"vehicle", vehicle_line},     {"ground", ground_line},
+    {"actors", actor_lines}};
 
 } // namespace
 

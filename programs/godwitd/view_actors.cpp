@@ -62,6 +62,7 @@ view_actors add_views(runtime::system& actors, const view_surroundings& outside,
   of_health->guardian = actors.guardian();
   of_health->flight = flight.executor;
   of_health->missions = flight.executor;
+  of_health->traffic = flight.executor;
   of_health->failsafe = base.failsafe;
   of_health->vehicle = base.vehicle;
   of_health->ground = flight.ground;

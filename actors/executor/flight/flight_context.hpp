@@ -23,6 +23,7 @@
 #include "actors/executor/settings.hpp"
 #include "actors/executor/tasks/task_runner.hpp"
 #include "actors/executor/tasks/way_around.hpp"
+#include "actors/executor/traffic_view.hpp"
 #include "actors/executor/view.hpp"
 #include "messages/executor/known_missions.hpp"
 
@@ -55,6 +56,7 @@ struct flight_context {
   settings configured;
   const state& s; // outlives it, and changes only between two calls of the core
   vehicle_view view;
+  traffic_view traffic;
   flight::control_authority authority;
   executor::evidence evidence;
   task_runner runner;

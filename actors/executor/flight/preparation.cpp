@@ -103,6 +103,11 @@ preflight::report preparation::look_at_all(instant now) {
   seen.wall_ns = now.wall_ns;
   seen.is_operator_session_alive = host_status_.operators.is_there;
   seen.camera = host_status_.camera;
+  for (const auto& each : flight_.traffic.all(flight_.configured.close_traffic, now.now_ns).aircraft) {
+    seen.traffic.heard.push_back(each.sentence);
+    if (each.is_close)
+      seen.traffic.close.push_back(each.sentence);
+  }
   last_look_ = preflight::dated_report{preflight::run_checks(seen, flight_.configured.checks), now.wall_ns};
   return last_look_->what;
 }

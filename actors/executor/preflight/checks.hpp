@@ -25,6 +25,7 @@
 //   operator_session  alive                                                          else                 not required
 //   actors            all run                                                        else
 //   camera            ready                                     not ready            no news yet          off
+//   traffic           whatever is heard; says what is close                                               none is heard
 //
 // Thread: pure.
 #pragma once
@@ -171,6 +172,10 @@ inline constexpr std::size_t max_named_items = 8; // as many as anyone reads
 // when it is off.
 [[nodiscard]] result check_camera(const facts& seen, const settings& set);
 
+// Says which other aircraft are close; whether one flies then, a person decides, and nobody is asked. Skipped while
+// none is heard, which does not say that none is there.
+[[nodiscard]] result check_traffic(const facts& seen, const settings& set);
+
 struct check {
   std::string_view name;
   result (*look)(const facts& seen, const settings& set);
@@ -198,6 +203,7 @@ inline constexpr std::array checks{check{"vehicle_link", check_vehicle_link},
                                    check{"wall_clock", check_wall_clock},
                                    check{"operator_session", check_operator_session},
                                    check{"actors", check_actors},
-                                   check{"camera", check_camera}};
+                                   check{"camera", check_camera},
+                                   check{"traffic", check_traffic}};
 
 } // namespace godwit::executor::preflight

@@ -113,6 +113,12 @@ struct camera_fact {
   GODWIT_FIELDS(camera_fact, "executor.camera_fact", state, problem);
 };
 
+// Sentences about other aircraft.
+struct traffic_facts {
+  std::vector<std::string> heard; // the nearest first
+  std::vector<std::string> close; // of these
+};
+
 struct facts {
   vehicle_facts vehicle;
   mission_facts mission;
@@ -121,6 +127,7 @@ struct facts {
   bool is_operator_session_alive = false;
   std::vector<actor_fact> actors; // all that have to run
   camera_fact camera{camera_state::unknown, {}};
+  traffic_facts traffic;
 };
 
 // While it is not, nothing that is known of the vehicle counts; the check of the link fails then.

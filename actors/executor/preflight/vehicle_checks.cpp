@@ -253,6 +253,15 @@ result check_vehicle_ready(const facts& seen, const settings&) {
   return fail("The vehicle has not reported its position estimate yet; wait for it.");
 }
 
+result check_traffic(const facts& seen, const settings&) {
+  const auto& [heard, close] = seen.traffic;
+  if (heard.empty())
+    return skipped("No other aircraft is heard; that says nothing where the vehicle has no receiver for them.");
+  if (close.empty())
+    return pass("No other aircraft is close. The nearest: " + heard.front() + ".");
+  return pass("Another aircraft is close, wait until it has passed: " + summary_of(close) + ".");
+}
+
 estimate estimate_of(std::uint16_t flags) {
   return (flags & io::mavlink::estimator_pos_horiz_abs) != 0 ? estimate::ready : estimate::not_ready;
 }

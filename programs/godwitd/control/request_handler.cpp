@@ -47,7 +47,7 @@ operators::principal speaker(const control_request& asked) {
 json json_of(const operator_bridge::command_answer& answer) {
   json result{{"ok", answer.verdict == operator_bridge::verdict::taken}, {"verdict", io::name_of(answer.verdict)}};
   if (!answer.reason.empty())
-    result["error"] = answer.reason;
+    result[answer.verdict == operator_bridge::verdict::taken ? "advice" : "error"] = answer.reason;
   if (!answer.state.empty())
     result["state"] = answer.state;
   return result;
@@ -115,6 +115,8 @@ void request_handler::collect_status(std::uint64_t ticket) {
     collect(ticket, "flight", *others_.flight, executor::get_flight{});
   if (others_.missions)
     collect(ticket, "missions", *others_.missions, executor::get_missions{});
+  if (others_.traffic)
+    collect(ticket, "traffic", *others_.traffic, executor::get_traffic{});
   if (others_.health)
     collect(ticket, "health", *others_.health, health::get_health{});
   if (others_.failsafe_status)

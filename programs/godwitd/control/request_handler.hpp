@@ -57,6 +57,7 @@ struct peers {
   std::optional<ground_run::status_handle> run;           // of a run on the ground
   std::optional<executor::operator_handle> flight;        // else
   std::optional<executor::missions_handle> missions;      // with a flight
+  std::optional<executor::view_handle> traffic;           // the same
   std::optional<operator_bridge::desk_handle> bridge;     // with a flight
   std::optional<ground_handle> ground;                    // with a flight and a line for ground stations
   std::optional<override_handle> failsafe;                // with a flight

@@ -78,6 +78,8 @@ server_response answer_of(const std::string& id, const operator_bridge::command_
   document["verdict"] = io::name_of(answer.verdict);
   if (!answer.state.empty())
     document["state"] = answer.state;
+  if (answer.verdict == verdict::taken && !answer.reason.empty())
+    document["advice"] = answer.reason;
   return answer.verdict == verdict::taken ? json_answer(status, document) : as_problem(status, document);
 }
 

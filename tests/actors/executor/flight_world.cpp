@@ -645,6 +645,7 @@ void flight_world::take(const vehicle_link::observation& each) {
         if constexpr (
             requires(executor::vehicle_view view) { view.take(m); } ||
             requires(executor::vehicle_view view) { view.take(m, std::int64_t{}); } ||
+            requires(executor::traffic_view view) { view.take(m, std::int64_t{}); } ||
             std::is_same_v<std::decay_t<decltype(m)>, io::mavlink::mission_item_reached> ||
             std::is_same_v<std::decay_t<decltype(m)>, io::mavlink::statustext>)
           take(core_->on_vehicle(m, now()));
@@ -692,6 +693,14 @@ void flight_world::vehicle_says(std::string_view text) {
   says.severity = io::mavlink::number(io::mavlink::mav_severity::critical);
   std::copy_n(text.begin(), std::min(text.size(), says.text.size()), says.text.begin());
   vehicle_tells(says);
+}
+
+executor::preflight::finding flight_world::found(std::string_view check) const {
+  if (const auto& look = core_->last_look())
+    for (const auto& each : look->what.findings)
+      if (each.check == check)
+        return each;
+  return {};
 }
 
 void flight_world::vehicle_tells(const vehicle_link::observation& what) {

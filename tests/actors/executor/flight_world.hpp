@@ -237,6 +237,9 @@ public:
   [[nodiscard]] const flight::mode_owner& owner() const { return owner_; } // once its heartbeat was heard
   [[nodiscard]] executor::known_missions missions() const { return core_->missions(); }
   [[nodiscard]] executor::way_home_estimate way_home() const { return core_->way_home(now()); }
+  [[nodiscard]] executor::heard_traffic traffic() const { return core_->traffic(now()); }
+  // What the preflight check of this name has found last; nothing before it was looked at.
+  [[nodiscard]] executor::preflight::finding found(std::string_view check) const;
   // The mode that the executor has heard last.
   [[nodiscard]] std::optional<std::uint32_t> heard_mode() const;
 

@@ -7,6 +7,7 @@
 
 #include "actors/executor/remaining.hpp"
 #include "tests/actors/executor/flight_world.hpp"
+#include "tests/support/vehicle_modes.hpp"
 
 namespace unanswered_change_test {
 

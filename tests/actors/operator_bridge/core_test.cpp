@@ -28,6 +28,20 @@ TEST(operator_bridge_core,
   EXPECT_EQ(desk.outcomes().back(), "refused");
 }
 
+TEST(operator_bridge_core, what_the_executor_advises_goes_to_the_sender_and_into_the_audit_and_is_said_again) {
+  bridge_desk desk;
+  const auto anna = desk.pilot();
+  const auto request = desk.say(desk.command(anna, command_kind::start, "a1"));
+  desk.write();
+  desk.answer(desk.handed[0].number, {true, {}, {}, "another aircraft is near"});
+  desk.write();
+  EXPECT_EQ(desk.answers.at(request), (command_answer{verdict::taken, "another aircraft is near"}));
+  EXPECT_EQ(desk.outcomes().back(), "taken");
+  const auto again = desk.say(desk.command(anna, command_kind::start, "a1"));
+  desk.write();
+  EXPECT_EQ(desk.answers.at(again), desk.answers.at(request));
+}
+
 TEST(operator_bridge_core, a_command_for_another_state_is_stale_and_says_how_the_flight_stands) {
   bridge_desk desk;
   const auto request = desk.say(desk.command(desk.pilot(), command_kind::start, "a1"));

@@ -147,6 +147,19 @@ TEST(telemetry_stream_core, the_way_home_is_shown_twice_a_second_at_most_also_wh
   EXPECT_EQ(all.take(same, 501 * ms).size(), 1U) << "so that it does not look old";
 }
 
+TEST(telemetry_stream_core, other_aircraft_are_shown_as_they_are_told_and_what_is_not_known_of_them_is_null) {
+  core all;
+  executor::heard_traffic seen;
+  seen.aircraft.emplace_back().name = "SWR123";
+  seen.aircraft[0].distance_m = 800;
+  const auto said = all.take(seen, 1);
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_EQ(said[0].what, topic::traffic);
+  const auto first = json::parse(said[0].data).at("aircraft").at(0);
+  EXPECT_EQ(first.at("distance_m"), 800);
+  EXPECT_TRUE(first.at("height_m").is_null());
+}
+
 TEST(telemetry_stream_core, a_map_is_shown_when_it_has_changed) {
   core all;
   mapobjects_store::map_status map;

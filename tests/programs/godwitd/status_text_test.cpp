@@ -43,6 +43,17 @@ TEST(status_text, a_flight_says_how_it_stands_and_what_waits_for_a_person) {
             "disarmed; preflight report 4 waits for `ctl ack`");
 }
 
+TEST(status_text, of_other_aircraft_the_nearest_is_shown_and_what_the_autopilot_warns_of) {
+  const json none{{"ok", true}, {"traffic", {{"aircraft", json::array()}, {"warnings", json::array()}}}};
+  EXPECT_EQ(status_text(none), "traffic    no aircraft is heard");
+  const json some{{"ok", true},
+                  {"traffic",
+                   {{"aircraft", {{{"sentence", "SWR123, 800 m to the north-east"}}, {{"sentence", "HB-ABC"}}}},
+                    {"warnings", {"the autopilot warns"}}}}};
+  EXPECT_EQ(status_text(some), "traffic    2 aircraft; the nearest: SWR123, 800 m to the north-east\n"
+                               "           the autopilot warns");
+}
+
 TEST(status_text, each_mission_is_a_line_with_its_place_and_the_reason_for_it) {
   const json answer{{"ok", true},
                     {"missions",
@@ -245,6 +256,7 @@ json answer_with(const std::string& text) {
           {"service", {{"connection", text}, {"last_error", text}, {"refused", text}, {"refused_sample", text}}},
           {"flight", {{"sentence", text}, {"mission_id", text}, {"mode", text}}},
           {"missions", {{"list", {{{"mission_id", text}, {"origin", text}, {"place", text}, {"reason", text}}}}}},
+          {"traffic", {{"aircraft", {{{"sentence", text}}}}, {"warnings", {text}}}},
           {"fleet", {{"broker", text}, {"vehicle", text}, {"sentence", text}}},
           {"vehicle", {{"phase", text}, {"reason", text}}},
           {"ground", {{"reason", text}, {"error", text}}},

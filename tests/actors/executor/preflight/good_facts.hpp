@@ -57,6 +57,7 @@ inline facts good_facts() {
   all.wall_ns = in_2026_ns;
   all.actors = {{"vehicle_link", true}, {"failsafe", true}};
   all.camera = {camera_state::ready, {}};
+  all.traffic.heard = {"SWR123, 9 km to the north"};
   return all;
 }
 

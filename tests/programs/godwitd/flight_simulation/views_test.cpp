@@ -177,6 +177,44 @@ TEST_F(views, missions_and_what_the_way_home_needs_are_in_the_stream_and_in_the_
     EXPECT_EQ(each.at("needs_percent").is_null(), !each.at("why_not_known").get<std::string>().empty()) << each;
 }
 
+std::size_t times_in(const std::string& text, std::string_view words) {
+  std::size_t result = 0;
+  for (auto at = text.find(words); at != std::string::npos; at = text.find(words, at + 1))
+    ++result;
+  return result;
+}
+
+std::vector<std::uint16_t> commands_of(const flight_simulation& flight) {
+  std::vector<std::uint16_t> result;
+  for (const auto& each : flight.orders())
+    result.push_back(each.command);
+  return result;
+}
+
+TEST(views_of_traffic, other_aircraft_are_shown_and_told_of_once_and_the_mission_is_flown_as_without_them) {
+  using telemetry_stream::topic;
+  flight_simulation alone{{.who = sim::personality::px4, .speed = 1, .is_shuffled = false}};
+  ASSERT_TRUE(alone.run_until_phase(phase::done)) << alone.story();
+  flight_simulation flight{{.who = sim::personality::px4, .speed = 1, .aircraft = 3, .is_shuffled = false}};
+  flight.run_for(1);
+  const auto shown = flight.process()
+                         ->stream()
+                         .subscribe({{topic::traffic, 0}}, [] {}, {1'000'000, 1'000'000'000, 1'000'000, 1'000'000'000})
+                         .value();
+  ASSERT_TRUE(flight.run_until_phase(phase::flying, 120)) << flight.story();
+  const auto made = flight.process()->report();
+  ASSERT_TRUE(made && made->traffic);
+  EXPECT_EQ(made->traffic->aircraft.size(), 3U);
+  ASSERT_TRUE(flight.run_until_phase(phase::done)) << flight.story();
+  const auto told = said_about(*shown, "traffic");
+  ASSERT_GT(told.size(), 30U) << "once a second";
+  EXPECT_EQ(told.back().at("aircraft").size(), 3U);
+  EXPECT_EQ(times_in(flight.story(), "aircraft close: SIM0, "), 1U) << flight.story();
+  EXPECT_EQ(times_in(alone.story(), "aircraft close: "), 0U);
+  EXPECT_EQ(commands_of(flight), commands_of(alone));
+  EXPECT_EQ(flaw_of_reports(flight), "");
+}
+
 TEST_F(views, a_stream_that_crashes_hangs_or_is_given_up_does_not_touch_the_flight) {
   ASSERT_TRUE(flight.run_until_phase(phase::flying, 120)) << flight.story();
   for (const auto point : {runtime::crash_point::before_handler, runtime::crash_point::after_handler}) {

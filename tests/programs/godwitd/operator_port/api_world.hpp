@@ -144,6 +144,7 @@ protected:
               result.findings = {{"battery", "fail", "Charge it."}};
               return result;
             }),
+            on<executor::get_traffic>([](const executor::get_traffic&) { return executor::heard_traffic{}; }),
             on<executor::get_flight>([this](const executor::get_flight&) {
               executor::flight_status result;
               result.in_flight = *is_in_flight_;

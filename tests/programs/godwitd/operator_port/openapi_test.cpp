@@ -11,6 +11,7 @@
 #include "actors/health/report.hpp"
 #include "io/fields/json_schema.hpp"
 #include "io/json_schema/compiled_schema.hpp"
+#include "programs/godwitd/operator_port/api_answers.hpp"
 #include "programs/godwitd/operator_port/camera_api.hpp"
 #include "programs/godwitd/operator_port/mission_api.hpp"
 #include "programs/godwitd/operator_port/operator_api.hpp"
@@ -230,6 +231,17 @@ TEST(operator_port_openapi, describes_each_field_of_a_report_of_health_and_of_th
   expect_covers(schemas.at("preflight"), io::json_schema<executor::preflight_view>(), "preflight");
 }
 
+TEST(operator_port_openapi, what_is_to_be_known_of_a_taken_command_is_in_its_answer_and_described) {
+  using operator_bridge::verdict;
+  const auto said = json::parse(answer_of("a1", {verdict::taken, "another aircraft is near"}).body);
+  EXPECT_EQ(said, (json{{"id", "a1"}, {"verdict", "taken"}, {"advice", "another aircraft is near"}}));
+  EXPECT_FALSE(json::parse(answer_of("a1", {verdict::taken, {}}).body).contains("advice"));
+  EXPECT_FALSE(json::parse(answer_of("a1", {verdict::refused, "no"}).body).contains("advice"));
+  const auto known = described().at("components").at("schemas").at("taken").at("properties");
+  for (const auto& [name, value] : said.items())
+    EXPECT_TRUE(known.contains(name)) << name;
+}
+
 TEST(operator_port_openapi, describes_each_topic_of_the_stream) {
   const auto schemas = described().at("components").at("schemas");
   namespace ts = telemetry_stream;
@@ -248,7 +260,8 @@ TEST(operator_port_openapi, describes_each_topic_of_the_stream) {
                                                {ts::topic::log, io::json_schema<ts::log_update>()},
                                                {ts::topic::points, io::json_schema<ts::points_update>()},
                                                {ts::topic::missions, io::json_schema<executor::known_missions>()},
-                                               {ts::topic::way_home, io::json_schema<executor::way_home_estimate>()}};
+                                               {ts::topic::way_home, io::json_schema<executor::way_home_estimate>()},
+                                               {ts::topic::traffic, io::json_schema<executor::heard_traffic>()}};
   EXPECT_EQ(std::size(topics), ts::topic_count);
   for (const auto& [topic, sent] : topics)
     expect_covers(schemas.at("topic_" + std::string(io::name_of(topic))), sent, std::string(io::name_of(topic)));

@@ -5,7 +5,7 @@ import { chart } from "./map/chart.ts";
 import { alarms } from "./model/alarms.ts";
 import { crashes } from "./model/crashes.ts";
 import { is_place } from "./model/geometry.ts";
-import type { control_view, mission_document, place, plan_view, stream_text, text, tile_view, who } from "./model/messages.ts";
+import type { control_view, log_update, mission_document, place, plan_view, stream_text, text, tile_view, who } from "./model/messages.ts";
 import { flight_history } from "./model/history.ts";
 import { track } from "./model/track.ts";
 import type { log_line } from "./model/world.ts";
@@ -96,11 +96,17 @@ export class page {
     if (heard.topic === "progress") void this.fetch_plan();
     if (heard.topic === "home") this.show_home();
     if (heard.topic === "points") this.map?.show_points((heard as text<"points">).data);
+    if (heard.topic === "traffic") this.map?.show_aircraft((heard as text<"traffic">).data.aircraft);
     if (heard.topic === "map") this.objects.refresh();
-    if (heard.topic === "log") this.crashes.hear((heard as text<"log">).data, this.now());
+    if (heard.topic === "log") this.hear_line((heard as text<"log">).data);
     if (heard.topic === "health" || heard.topic === "log" || heard.topic === "flight") this.drawer.hear(heard.topic);
     this.look();
     this.draw();
+  }
+
+  private hear_line(line: log_update): void {
+    this.crashes.hear(line, this.now());
+    if (this.alarms.hear(line, this.world.godwit_ms(this.now())) && !this.is_muted) beep();
   }
 
   // It is another process; it may be another flight.
@@ -109,6 +115,7 @@ export class page {
     this.history.clear();
     this.crashes.clear();
     this.map?.show_points(undefined);
+    this.map?.show_aircraft([]);
   }
 
   private move(heard: text<"position">): void {

@@ -3,11 +3,11 @@
 import * as L from "leaflet";
 import { extent_of, is_place, items_of, way_of } from "../model/geometry.ts";
 import type { shown_part } from "../model/geometry.ts";
-import type { mission_document, object_on_map, place, plan_view, points_update, tile_view } from "../model/messages.ts";
+import type { heard_aircraft, mission_document, object_on_map, place, plan_view, points_update, tile_view } from "../model/messages.ts";
 import type { track } from "../model/track.ts";
-import { object_words } from "../model/words.ts";
+import { aircraft_words, object_words } from "../model/words.ts";
 import { metre_grid } from "./grid.ts";
-import { fence_style, item_style, mark_icon, object_style, style_of } from "./styles.ts";
+import { arrow, fence_style, item_style, mark_icon, object_style, style_of } from "./styles.ts";
 
 // Names come from missions: they stay text, whatever they look like.
 function plain_text(words: string): HTMLElement {
@@ -30,6 +30,7 @@ export class chart {
   private readonly points = L.layerGroup();
   private readonly objects = L.layerGroup();
   private readonly preview = L.layerGroup();
+  private readonly aircraft = L.layerGroup();
   private readonly way: L.Polyline;
   private readonly way_open: L.Polyline;
   private readonly vehicle: L.Marker;
@@ -59,6 +60,7 @@ export class chart {
     this.points.addTo(this.map);
     this.going.addTo(this.map);
     this.preview.addTo(this.map);
+    this.aircraft.addTo(this.map);
     this.vehicle = L.marker([0, 0], { icon: mark_icon("vehicle", "vehicle"), interactive: false, keyboard: false,
       zIndexOffset: 1000 });
     this.map.on("click", (event) => on_click({ latitude: event.latlng.lat, longitude: event.latlng.lng }));
@@ -151,6 +153,18 @@ export class chart {
           .on("click", () => (this.map.getContainer().classList.contains("pointing") ? this.on_click(at) : this.on_point()))
           .addTo(this.points);
       }
+  }
+
+  // Other aircraft, once a second. Without a known course one has no arrow.
+  show_aircraft(all: heard_aircraft[]): void {
+    this.aircraft.clearLayers();
+    for (const each of all) {
+      const mark = L.marker([each.latitude_deg, each.longitude_deg], { interactive: false, keyboard: false,
+        icon: mark_icon(`aircraft${each.is_close ? " close" : ""}`, each.course_deg === null ? "<b></b>" : arrow) })
+        .bindTooltip(plain_text(aircraft_words(each)), { permanent: true, direction: "right", offset: [10, 0] }).addTo(this.aircraft);
+      const shape = mark.getElement()?.querySelector<SVGElement>("svg");
+      if (shape !== null && shape !== undefined) shape.style.transform = `rotate(${each.course_deg}deg)`;
+    }
   }
 
   // Nothing before it was placed.

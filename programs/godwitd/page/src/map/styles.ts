@@ -25,7 +25,7 @@ export function object_style(is_seen_here: boolean): L.CircleMarkerOptions {
   return { radius: 4, weight: 1, color: colour("paper"), fillColor: colour(is_seen_here ? "object-here" : "object"), fillOpacity: 0.9 };
 }
 
-const arrow = `<svg viewBox="-16 -16 32 32" width="32" height="32" aria-hidden="true">
+export const arrow = `<svg viewBox="-16 -16 32 32" width="32" height="32" aria-hidden="true">
   <path d="M0 -13 L9 11 L0 6 L-9 11 Z"/></svg>`;
 
 export function mark_icon(name: string, text: string): L.DivIcon {

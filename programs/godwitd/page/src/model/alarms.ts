@@ -2,7 +2,7 @@
 //
 // An alarm has a key: it is raised when what it says begins to hold, once, and can be raised again when it has ceased
 // to hold meanwhile.
-import type { point_of_interest } from "./messages.ts";
+import type { log_update, point_of_interest } from "./messages.ts";
 import type { world } from "./world.ts";
 import { plain } from "./words.ts";
 
@@ -52,6 +52,13 @@ export class alarms {
     return is_new;
   }
 
+  // True: it is about another aircraft, which the executor tells of once as it comes.
+  hear(line: log_update, at_ms: number): boolean {
+    if (line.part !== "executor" || !line.is_warning || !says_traffic.test(line.sentence)) return false;
+    this.raise(`traffic/${line.sentence}`, line.sentence, at_ms);
+    return true;
+  }
+
   // Something that has happened, and not something that holds.
   raise(key: string, words: string, at_ms: number): void {
     this.list = [...this.list.filter((each) => each.key !== key), { key, words, at_ms }].slice(-max_alarms);
@@ -65,6 +72,8 @@ export class alarms {
     this.list = [];
   }
 }
+
+const says_traffic = /^(aircraft close: |other aircraft near |the autopilot warns of a collision )/;
 
 const points_key = "points";
 

@@ -121,6 +121,23 @@ export interface way_home_update {
   why_not_known: string;
 }
 
+export interface heard_aircraft {
+  icao: number;
+  name: string; // its callsign, or its address
+  latitude_deg: number; // now, by its course
+  longitude_deg: number;
+  age_s: number; // of its newest report
+  course_deg: number | null;
+  height_m: number | null; // above the vehicle
+  is_close: boolean; // or comes close soon
+  sentence: string;
+}
+
+export interface traffic_update {
+  aircraft: heard_aircraft[]; // the nearest first
+  warnings: string[]; // of the autopilot
+}
+
 export interface topics {
   clock: { beat: number };
   link: { phase: string; reason: string };
@@ -138,12 +155,13 @@ export interface topics {
   log: log_update;
   missions: { list: known_mission[] };
   way_home: way_home_update;
+  traffic: traffic_update;
 }
 
 export type topic = keyof topics;
 
 export const topic_names: readonly topic[] = ["clock", "link", "position", "attitude", "battery", "gps", "home", "flight",
-  "authority", "progress", "map", "points", "health", "log", "missions", "way_home"];
+  "authority", "progress", "map", "points", "health", "log", "missions", "way_home", "traffic"];
 
 export interface text<T extends topic = topic> {
   topic: T;

@@ -1,6 +1,6 @@
 // The words in which the page says what godwitd says by name. Pure. What has no word here is said as it came.
 
-import type { known_mission, object_on_map, objects_view, way_home_update } from "./messages.ts";
+import type { heard_aircraft, known_mission, object_on_map, objects_view, traffic_update, way_home_update } from "./messages.ts";
 
 export type tone = "calm" | "good" | "warn" | "bad" | "none";
 
@@ -63,6 +63,20 @@ export function way_home_words(view: way_home_update | undefined): { value: stri
   const more = is_short ? `the battery lasts just for it, above ${view.reserve_percent} %`
     : spare_percent === null ? "" : `${Math.floor(spare_percent)} % to spare above ${view.reserve_percent} %`;
   return { value: `needs ${Math.ceil(view.needs_percent)}`, unit: "%", more, is_short };
+}
+
+// An aircraft on the map: "SWR123 +60 m, 2 s".
+export function aircraft_words(each: heard_aircraft): string {
+  const height = each.height_m === null ? "height not known" : `${each.height_m < 0 ? "−" : "+"}${distance_words(Math.abs(each.height_m))}`;
+  return `${each.name} ${height}, ${Math.round(each.age_s)} s`;
+}
+
+// The nearest aircraft that is close, or else the nearest, after what the autopilot warns of.
+export function traffic_words(view: traffic_update | undefined): { value: string; more: string; is_close: boolean } {
+  const nearest = view?.aircraft.find((each) => each.is_close) ?? view?.aircraft[0];
+  const more = [...(view?.warnings ?? []), ...(nearest === undefined ? [] : [nearest.sentence])].join("; ");
+  const is_close = view !== undefined && (view.warnings.length > 0 || view.aircraft.some((each) => each.is_close));
+  return { value: nearest === undefined ? "none heard" : is_close ? "close" : `${view?.aircraft.length} heard`, more, is_close };
 }
 
 // An object of the map, for who points at it.

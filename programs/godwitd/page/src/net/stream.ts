@@ -2,7 +2,7 @@
 // silent it is opened anew within a second.
 import type { stream_text, text } from "../model/messages.ts";
 
-const topics = "position,attitude,battery,gps,home,link,flight,authority,progress,map,points,health,log,missions,way_home";
+const topics = "position,attitude,battery,gps,home,link,flight,authority,progress,map,points,health,log,missions,way_home,traffic";
 const first_wait_ms = 250;
 const longest_wait_ms = 1_000;
 const deaf_ms = 4_000; // no text for so long: the line is dead, whatever the browser says

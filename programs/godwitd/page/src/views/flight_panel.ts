@@ -2,7 +2,7 @@
 import { html, nothing } from "lit";
 import type { TemplateResult } from "lit";
 import type { topic } from "../model/messages.ts";
-import { age_words, authority_words, fix_words, number_words, phase_tone, plain, way_home_words } from "../model/words.ts";
+import { age_words, authority_words, fix_words, number_words, phase_tone, plain, traffic_words, way_home_words } from "../model/words.ts";
 import { old_ms } from "../model/world.ts";
 import type { page } from "../page.ts";
 
@@ -51,6 +51,7 @@ export function instruments(all: page): TemplateResult {
   const flight = world.get("flight");
   const charge = battery?.remaining_percent ?? null;
   const home = way_home_words(world.get("way_home"));
+  const traffic = traffic_words(world.get("traffic"));
   return html`<dl class="instruments" id="instruments">
     ${instrument(all, "position", "Altitude", number_words(position?.altitude_m, 1), "m", "above home")}
     ${instrument(all, "position", "Speed", number_words(position?.ground_speed_mps, 1), "m/s", "over ground")}
@@ -64,6 +65,7 @@ export function instruments(all: page): TemplateResult {
     ${instrument(all, "flight", "Mode", flight === undefined || flight.mode === "" ? "–" : plain(flight.mode), "",
       flight === undefined ? "" : flight.is_armed ? "armed" : "disarmed")}
     ${link_instrument(all)}
+    ${world.get("traffic") === undefined ? nothing : instrument(all, "traffic", "Aircraft", traffic.value, "", traffic.more, traffic.is_close)}
   </dl>`;
 }
 

@@ -80,3 +80,15 @@ test("an actor that crashed is away with its reason until it is back or given up
   line("health crashed: it was stopped then, and nobody says that it is back");
   assert.equal(heard.reason_of("health", 7_000), undefined);
 });
+
+test("another aircraft is an alarm when the executor tells of it, and not when it has passed", () => {
+  const heard = new alarms();
+  const said_in_log = (sentence: string, is_warning: boolean, part = "executor") => heard.hear({ part, is_warning, sentence }, 1);
+  assert.equal(said_in_log("aircraft close: SWR123, 800 m to the north", true), true);
+  assert.equal(said_in_log("the autopilot warns of a collision with SWR123, and hovers", true), true);
+  assert.equal(said_in_log("other aircraft near the way there: SWR123", true), true);
+  assert.equal(said_in_log("aircraft SWR123 is close no more, as far as it is heard", false), false);
+  assert.equal(said_in_log("aircraft close: SWR123", true, "ground_port"), false);
+  assert.deepEqual(heard.list.map((each) => each.words)[0], "aircraft close: SWR123, 800 m to the north");
+  assert.equal(heard.list.length, 3);
+});

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import type { known_mission, way_home_update } from "../../../../../programs/godwitd/page/src/model/messages.ts";
-import { left_out_words, mission_words, object_words, origin_words, way_home_words } from "../../../../../programs/godwitd/page/src/model/words.ts";
+import type { heard_aircraft, known_mission, way_home_update } from "../../../../../programs/godwitd/page/src/model/messages.ts";
+import { aircraft_words, left_out_words, mission_words, object_words, origin_words, traffic_words, way_home_words } from "../../../../../programs/godwitd/page/src/model/words.ts";
 
 const known: way_home_update = { needs_percent: 22.1, left_percent: 60, reserve_percent: 25, spare_percent: 12.9, why_not_known: "" };
 
@@ -43,4 +43,20 @@ test("a mission that has ended is called by its outcome, and one that can not st
   assert.equal(mission_words({ ...mission, place: "prepared", reason: "preflight: charge it" }).tone, "warn");
   assert.equal(mission_words({ ...mission, place: "of_a_newer_godwitd" }).words, "of a newer godwitd");
   assert.equal(origin_words("station"), "ground station");
+});
+
+const aircraft: heard_aircraft = { icao: 1, name: "SWR123", latitude_deg: 47, longitude_deg: 8, age_s: 2.4, course_deg: 90, height_m: 60, is_close: false,
+  sentence: "SWR123, 9 km to the north" };
+
+test("an aircraft on the map has its name, its height above the vehicle and its age", () => {
+  assert.equal(aircraft_words(aircraft), "SWR123 +60 m, 2 s");
+  assert.equal(aircraft_words({ ...aircraft, height_m: -1_250 }), "SWR123 −1.25 km, 2 s");
+  assert.equal(aircraft_words({ ...aircraft, height_m: null }), "SWR123 height not known, 2 s");
+});
+
+test("of all aircraft the nearest is named, and it is wrong when any is close or the autopilot warns", () => {
+  assert.deepEqual(traffic_words(undefined), { value: "none heard", more: "", is_close: false });
+  assert.deepEqual(traffic_words({ aircraft: [aircraft, aircraft], warnings: [] }), { value: "2 heard", more: aircraft.sentence, is_close: false });
+  assert.deepEqual(traffic_words({ aircraft: [aircraft, { ...aircraft, is_close: true, sentence: "HB-ABC" }], warnings: [] }), { value: "close", more: "HB-ABC", is_close: true });
+  assert.deepEqual(traffic_words({ aircraft: [], warnings: ["it warns"] }), { value: "none heard", more: "it warns", is_close: true });
 });

@@ -65,6 +65,38 @@ TEST_P(traffic_flight, an_aircraft_that_passes_is_told_of_once_as_it_comes_and_o
   EXPECT_EQ(said(world, "aircraft ICAO 4B1234 is close no more"), 1) << world.story();
 }
 
+// So far to the north of home, and nothing else of it is known.
+io::mavlink::adsb_vehicle beacon(std::uint32_t icao, double north_m) {
+  auto result = passing((3'000 + north_m) / 30);
+  result.icao_address = icao;
+  result.flags = io::mavlink::number(adsb_flag::valid_coords);
+  return result;
+}
+
+TEST_P(traffic_flight, an_aircraft_that_flies_along_the_limit_is_told_of_once) {
+  flight_world world({.who = GetParam(), .speed = 1});
+  world.load(waiting_mission(GetParam()));
+  ASSERT_TRUE(world.run_until_phase(phase::flying, 120)) << world.story();
+  for (int t = 0; t < 120; ++t) {
+    world.vehicle_tells(beacon(0xA, t / 10 % 2 == 0 ? 800 : 1'300));
+    world.run_for(1);
+  }
+  EXPECT_EQ(said(world, "aircraft close: "), 1) << world.story();
+  EXPECT_EQ(said(world, "close no more"), 0) << world.story();
+}
+
+TEST_P(traffic_flight, of_a_crowd_the_nearest_are_told_of) {
+  flight_world world({.who = GetParam(), .speed = 1});
+  world.load(waiting_mission(GetParam()));
+  ASSERT_TRUE(world.run_until_phase(phase::flying, 120)) << world.story();
+  for (std::uint32_t i = 20; i >= 1; --i)
+    world.vehicle_tells(beacon(i, 900 - i * 20.0));
+  world.run_for(3);
+  EXPECT_EQ(said(world, "aircraft close: "), static_cast<int>(traffic_watch::max_told)) << world.story();
+  EXPECT_EQ(said(world, "aircraft close: ICAO 000014, "), 1) << "the nearest";
+  EXPECT_EQ(said(world, "aircraft close: ICAO 000001, "), 0) << "the farthest";
+}
+
 TEST_P(traffic_flight, nothing_is_refused_or_flown_by_other_aircraft_alone) {
   const auto fly = [](bool has_traffic) {
     auto world = std::make_unique<flight_world>(flight_world::options{.who = GetParam(), .speed = 1});

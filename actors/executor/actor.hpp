@@ -102,11 +102,11 @@ private:
   void send(const order& each);
   void execute(const give_up_transfer&);
   void execute(const watch_vehicle& each);
-  void execute(const say_to_failsafe& each);
-  void execute(const say_to_client& each);
-  void execute(const say_to_port& each);
+  void execute(const send_to_failsafe& each);
+  void execute(const send_to_client& each);
+  void execute(const send_to_port& each);
   void execute(const announce& each);
-  void say_to_stations(io::mavlink::mav_severity severity, const std::string& sentence);
+  void send_to_stations(io::mavlink::mav_severity severity, const std::string& sentence);
   void show_reached(const mission::progress_report& report);
   void show_phase_status(const phase_status& status);
   void send(std::uint64_t number, const vehicle_link::send_command& what);

@@ -114,16 +114,16 @@ void actor::execute(const give_up_transfer&) { tell(others_->vehicle, vehicle_li
 
 void actor::execute(const watch_vehicle& each) { tell(others_->vehicle, vehicle_link::watch_closely{each.is_close}); }
 
-void actor::execute(const say_to_failsafe& each) {
+void actor::execute(const send_to_failsafe& each) {
   std::visit([this](const auto& what) { tell(others_->failsafe, what); }, each.what);
 }
 
-void actor::execute(const say_to_client& each) {
+void actor::execute(const send_to_client& each) {
   if (others_->client)
     after_commit([this, each] { std::visit([this](const auto& what) { tell(*others_->client, what); }, each.what); });
 }
 
-void actor::execute(const say_to_port& each) {
+void actor::execute(const send_to_port& each) {
   if (others_->port)
     std::visit([this](const auto& what) { tell(*others_->port, what); }, each.what);
 }
@@ -132,10 +132,10 @@ void actor::execute(const announce& each) {
   using io::mavlink::mav_severity;
   at_end([this, each] { world_.tell_people(each); });
   if (!each.is_vehicles)
-    say_to_stations(each.is_warning ? mav_severity::warning : mav_severity::info, each.sentence);
+    send_to_stations(each.is_warning ? mav_severity::warning : mav_severity::info, each.sentence);
 }
 
-void actor::say_to_stations(io::mavlink::mav_severity severity, const std::string& sentence) {
+void actor::send_to_stations(io::mavlink::mav_severity severity, const std::string& sentence) {
   if (others_->port)
     tell(*others_->port, ground_port::status_text{severity, for_stations(sentence, severity)});
 }
@@ -156,7 +156,7 @@ void actor::show_phase_status(const phase_status& status) {
     auto sentence = core_->sentence();
     if (sentence == told_phase_)
       return;
-    say_to_stations(status.now == phase::paused ? mav_severity::warning : mav_severity::info, sentence);
+    send_to_stations(status.now == phase::paused ? mav_severity::warning : mav_severity::info, sentence);
     told_phase_ = std::move(sentence);
   });
 }
@@ -208,7 +208,7 @@ void actor::dispatch(const durable_core::effect& each) {
           if (!answer_current(m) && others_->port)
             tell(*others_->port, m);
         } else if constexpr (std::is_same_v<M, ground_port::plan_judged>) {
-          execute(say_to_port{m});
+          execute(send_to_port{m});
         } else if constexpr (std::is_same_v<M, phase_status>) {
           show_phase_status(m);
         } else if constexpr (std::is_same_v<M, preflight::phase_changed>) {

@@ -39,14 +39,14 @@ struct order {
 
 // To the failsafe: whose the next mode is, that an operator has handed the vehicle back, and whether the return that it
 // has asked for is flown.
-struct say_to_failsafe {
+struct send_to_failsafe {
   std::variant<failsafe::expect_mode, failsafe::hand_back, failsafe::taken_over, failsafe::command_pending,
                failsafe::return_taken>
       what;
 };
 
 // To ground_port.
-struct say_to_port {
+struct send_to_port {
   std::variant<ground_port::set_mission, ground_port::mission_progress, ground_port::plan_judged, act_resolved> what;
 };
 
@@ -59,7 +59,7 @@ struct watch_vehicle {
 };
 
 // To mission_client.
-struct say_to_client {
+struct send_to_client {
   std::variant<mission_client::begin_mission, mission_client::begin_next, mission_client::pull_map,
                mission_client::accept_copy, mission_client::push_map>
       what;
@@ -72,8 +72,8 @@ struct announce {
   bool is_vehicles = false; // its own words, which stations hear from it
 };
 
-using effect =
-    std::variant<note, order, give_up_transfer, watch_vehicle, say_to_failsafe, say_to_client, say_to_port, announce>;
+using effect = std::variant<note, order, give_up_transfer, watch_vehicle, send_to_failsafe, send_to_client,
+                            send_to_port, announce>;
 using effects = std::vector<effect>;
 
 } // namespace godwit::executor

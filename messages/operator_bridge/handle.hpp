@@ -10,7 +10,7 @@
 namespace godwit::operator_bridge {
 
 // Who brings what operators say, and has made sure of the principal.
-using desk_handle =
+using handler_handle =
     runtime::mailbox<runtime::asks<operator_command, command_answer>, runtime::asks<change_control, control_answer>,
                      runtime::asks<get_operators, operators_view>, runtime::asks<read_audit, audit_leave>,
                      runtime::tells<audit_note>, runtime::asks<make_link, link_answer>,
@@ -31,6 +31,6 @@ using holder_ear = runtime::mailbox<runtime::tells<holder_heard>>;
 using accounts_handle = runtime::mailbox<runtime::tells<accounts_read>>;
 
 // All of it.
-using own_handle = runtime::combine<desk_handle, door_handle, accounts_handle>;
+using own_handle = runtime::combine<handler_handle, door_handle, accounts_handle>;
 
 } // namespace godwit::operator_bridge

@@ -16,11 +16,12 @@ namespace godwit::drill {
 
 namespace {
 
-constexpr std::uint32_t lanes = 4;             // relays, and ledgers
-constexpr std::uint64_t window = 400;          // messages under way at most: bounds every mailbox
-constexpr std::uint64_t poison_share = 40;     // one in so many plans is a message that crashes every handler
-constexpr std::uint64_t kill_share = 4;        // one in so many of the others kills between two messages
-constexpr std::uint64_t kills_from_behind = 8; // so many crashes behind the plan, and actors are killed until it is met
+constexpr std::uint32_t lanes = 4;         // relays, and ledgers
+constexpr std::uint64_t window = 400;      // messages under way at most: bounds every mailbox
+constexpr std::uint64_t poison_share = 40; // one in so many plans is a message that crashes every handler
+constexpr std::uint64_t kill_share = 4;    // one in so many of the others kills between two messages
+constexpr std::uint64_t kills_from_behind =
+    8; // so many crashes short of the plan, and actors are killed until it is met
 constexpr std::int64_t patience_ns = 30'000'000'000; // without any progress for so long the rest counts as lost
 
 const std::string effect_table = "CREATE TABLE drill_effect(sender INTEGER NOT NULL, seq INTEGER NOT NULL)";

@@ -109,7 +109,7 @@ outcome transfer(vehicle_session& session, const plan_transfer_options& options,
       told = session.carry_out(session.core().on_cancel_transfer(vehicle_session::now()));
       continue;
     }
-    // Behind a cancel STOP stays readable, and would end each wait at once.
+    // After a cancel STOP stays readable, and would end each wait at once.
     told = session.next(INT64_MAX, is_cancelled ? -1 : stop);
   }
 }

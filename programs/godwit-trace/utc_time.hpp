@@ -12,7 +12,7 @@
 
 namespace godwit::trace_tool {
 
-// What lies behind the year 9999, in a log that is damaged, is written as a number: 18446744073709551615us.
+// What comes after the year 9999, in a log that is damaged, is written as a number: 18446744073709551615us.
 void append_utc(std::string& out, std::uint64_t time_us);
 
 // SINCE_US and six decimals, in seconds: 12.345678. Negative for what stands before the beginning.

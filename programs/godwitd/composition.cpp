@@ -48,31 +48,32 @@ void composition::surround_actors() {
 void composition::add_actors() {
   auto& actors = host_->actors();
   base_ = add_base(actors, wanted_, outside_);
-  control::peers of_desk;
-  of_desk.guardian = actors.guardian();
-  of_desk.store = base_.store;
-  of_desk.vehicle = base_.vehicle;
+  control::peers of_handler;
+  of_handler.guardian = actors.guardian();
+  of_handler.store = base_.store;
+  of_handler.vehicle = base_.vehicle;
   if (service_)
-    of_desk.client = base_.client;
+    of_handler.client = base_.client;
   if (wanted_.flies)
-    add_flight(of_desk);
+    add_flight(of_handler);
   else
-    add_ground_run(of_desk);
+    add_ground_run(of_handler);
   surround_views();
   views_ = add_views(actors, views_outside_, base_, flight_);
-  of_desk.health = views_.health;
+  of_handler.health = views_.health;
   if (views_.fleet)
-    of_desk.fleet = views_.fleet;
-  of_desk.port = operators_.view();
-  of_desk.rescue_journal = [this](control::peers::rescued then) {
+    of_handler.fleet = views_.fleet;
+  of_handler.port = operators_.view();
+  of_handler.rescue_journal = [this](control::peers::rescued then) {
     host_->journal().rescue([then = std::move(then)](tl::expected<std::string, runtime::journal_error> done) {
       then(std::move(done).map_error([](const runtime::journal_error& why) { return why.message(); }));
     });
   };
   if (wanted_.allow_crash)
-    of_desk.crash = [&actors](const std::string& name) { return actors.kill_child(name); };
-  request_handler_ = actors.add<control::request_handler>(
-      {.name = name(child_name::control_desk)}, policy_of(child_name::control_desk), of_desk, control_answers_);
+    of_handler.crash = [&actors](const std::string& name) { return actors.kill_child(name); };
+  request_handler_ =
+      actors.add<control::request_handler>({.name = name(child_name::control_handler)},
+                                           policy_of(child_name::control_handler), of_handler, control_answers_);
 }
 
 void composition::surround_views() {
@@ -89,7 +90,7 @@ void composition::surround_views() {
                          }};
 }
 
-void composition::add_ground_run(control::peers& of_desk) {
+void composition::add_ground_run(control::peers& of_handler) {
   const auto of_run = std::make_shared<ground_run::peers>();
   run_ = host_->actors().add<ground_run::actor>(
       {.name = name(child_name::ground_run)}, policy_of(child_name::ground_run), settings_of_run(),
@@ -99,27 +100,27 @@ void composition::add_ground_run(control::peers& of_desk) {
   if (service_)
     of_run->client = base_.client;
   base_.of_client->listener = run_;
-  of_desk.run = run_;
+  of_handler.run = run_;
   base_.of_vehicle->add(run_);
 }
 
-void composition::add_flight(control::peers& of_desk) {
+void composition::add_flight(control::peers& of_handler) {
   flight_ = daemon::add_flight(host_->actors(), wanted_, outside_, base_);
-  of_desk.flight = flight_.executor;
-  of_desk.missions = flight_.executor;
-  of_desk.traffic = flight_.executor;
-  of_desk.bridge = flight_.bridge;
-  of_desk.read_audit = audit_of_journal();
+  of_handler.flight = flight_.executor;
+  of_handler.missions = flight_.executor;
+  of_handler.traffic = flight_.executor;
+  of_handler.bridge = flight_.bridge;
+  of_handler.read_audit = audit_of_journal();
   if (wanted_.operators)
-    operators_.add_desks(host_->actors(), wanted_, base_, flight_, pictured_points(), audit_of_journal());
+    operators_.add_handlers(host_->actors(), wanted_, base_, flight_, pictured_points(), audit_of_journal());
   if (wanted_.ground)
-    of_desk.ground = control::ground_handle(flight_.ground);
-  of_desk.failsafe = base_.failsafe;
-  of_desk.failsafe_status = base_.failsafe;
-  of_desk.sightings = flight_.feeder;
-  of_desk.points = flight_.scan;
+    of_handler.ground = control::ground_handle(flight_.ground);
+  of_handler.failsafe = base_.failsafe;
+  of_handler.failsafe_status = base_.failsafe;
+  of_handler.sightings = flight_.feeder;
+  of_handler.points = flight_.scan;
   if (flight_.eyes)
-    of_desk.eyes = flight_.eyes;
+    of_handler.eyes = flight_.eyes;
 }
 
 audit_source composition::audit_of_journal() {

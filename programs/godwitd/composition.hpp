@@ -98,8 +98,8 @@ private:
   void surround_actors();
   void surround_views();
   void add_actors();
-  void add_flight(control::peers& of_desk);
-  void add_ground_run(control::peers& of_desk);
+  void add_flight(control::peers& of_handler);
+  void add_ground_run(control::peers& of_handler);
   [[nodiscard]] audit_source audit_of_journal();
   void open_link_log();
   void open_vehicle();

@@ -72,7 +72,7 @@ inline constexpr std::array option_rows{
                "on_command (as it is), or automatic, as soon as a flight is ready"},
     option_row{"arm-on-start", "/flight/arm_on_start", option_kind::flag, "", "Arms the vehicle when a flight starts"},
     option_row{"takeoff-again", "/flight/takeoff_again", option_kind::text, "WHEN",
-               "Behind a landing on the way: on_command (as it is), or automatic"},
+               "After a landing on the way: on_command (as it is), or automatic"},
     option_row{"allow-crash", "/flight/allow_crash", option_kind::flag, "",
                "Obeys `godwitd ctl crash ACTOR`: for drills only"},
     option_row{"ground", "/ground/uri", option_kind::text, "URI",

@@ -35,15 +35,15 @@ operator_port::route_list camera_routes(const operator_access::sources& from, co
 
 } // namespace
 
-void operator_access::add_desks(runtime::system& actors, const daemon_settings& wanted, const base_actors& base,
-                                const flight_actors& flight,
-                                std::function<std::vector<std::uint64_t>()> pictured_points, audit_source audit) {
-  desk_ = actors.add<operator_port::operator_desk>(
-      {.name = name(child_name::operator_desk)}, policy_of(child_name::operator_desk),
-      operator_port::desk_peers{flight.bridge, flight.executor, flight.scan, base.failsafe, std::move(pictured_points),
-                                std::move(audit)},
+void operator_access::add_handlers(runtime::system& actors, const daemon_settings& wanted, const base_actors& base,
+                                   const flight_actors& flight,
+                                   std::function<std::vector<std::uint64_t>()> pictured_points, audit_source audit) {
+  handler_ = actors.add<operator_port::operator_handler>(
+      {.name = name(child_name::operator_handler)}, policy_of(child_name::operator_handler),
+      operator_port::handler_peers{flight.bridge, flight.executor, flight.scan, base.failsafe,
+                                   std::move(pictured_points), std::move(audit)},
       answers_);
-  page_desks_ = add_page_desks(actors, wanted, base, flight, answers_);
+  page_handlers_ = add_page_handlers(actors, wanted, base, flight, answers_);
 }
 
 void operator_access::make_apis(runtime::process& host, const view_surroundings& shown, const view_actors& views) {
@@ -84,12 +84,12 @@ operator_port::port_guards operator_access::add_commands(runtime::process& host,
   };
   const auto shared = std::make_shared<inlet>(host.actors().make_gateway("operator_api"));
   operator_api_ = std::make_shared<operator_port::operator_api>(
-      answers_, keeper, [shared, desk = desk_](operator_port::api_request asked) {
+      answers_, keeper, [shared, handler = handler_](operator_port::api_request asked) {
         const std::lock_guard guard(shared->mutex);
-        shared->way_in.tell(desk, std::move(asked));
+        shared->way_in.tell(handler, std::move(asked));
       });
   add_to(routes, operator_port::routes_of(operator_api_));
-  add_to(routes, page_desk_routes(host.actors(), page_desks_, answers_));
+  add_to(routes, page_handler_routes(host.actors(), page_handlers_, answers_));
   return {[api = operator_api_](const std::string& from) { api->note_other_origin(from); },
           [api = operator_api_](const operator_port::server_request& asked, operator_port::responder answer,
                                 std::function<void(operator_port::responder)> then) {
@@ -155,34 +155,35 @@ std::string why_no_missions(const daemon_settings& settings) {
 
 } // namespace
 
-page_desks add_page_desks(runtime::system& actors, const daemon_settings& settings, const base_actors& base,
-                          const flight_actors& flight, const answers_ptr& answers) {
-  page_desks made;
-  made.views = actors.add<operator_port::view_desk>(
-      {.name = name(child_name::view_desk), .policy = runtime::on_crash::lose}, policy_of(child_name::view_desk),
+page_handlers add_page_handlers(runtime::system& actors, const daemon_settings& settings, const base_actors& base,
+                                const flight_actors& flight, const answers_ptr& answers) {
+  page_handlers made;
+  made.views = actors.add<operator_port::view_handler>(
+      {.name = name(child_name::view_handler), .policy = runtime::on_crash::lose}, policy_of(child_name::view_handler),
       executor::view_handle(flight.executor), mapobjects_store::viewer_handle(base.store), answers);
-  made.missions = actors.add<operator_port::mission_desk>(
-      {.name = name(child_name::mission_desk), .policy = runtime::on_crash::lose}, policy_of(child_name::mission_desk),
+  made.missions = actors.add<operator_port::mission_handler>(
+      {.name = name(child_name::mission_handler), .policy = runtime::on_crash::lose},
+      policy_of(child_name::mission_handler),
       operator_port::mission_peers{flight.bridge, flight.executor, flight.executor}, answers,
       why_no_missions(settings));
   made.allowed_commands = settings.allowed_commands;
   return made;
 }
 
-operator_port::route_list page_desk_routes(runtime::system& actors, const page_desks& desks,
-                                           const answers_ptr& answers) {
+operator_port::route_list page_handler_routes(runtime::system& actors, const page_handlers& handlers,
+                                              const answers_ptr& answers) {
   const auto way_in = std::make_shared<runtime::gateway>(actors.make_gateway("page"));
   auto result = operator_port::view_routes(
-      answers, [way_in, desk = desks.views](operator_port::view_request asked) { way_in->tell(desk, asked); });
+      answers, [way_in, handler = handlers.views](operator_port::view_request asked) { way_in->tell(handler, asked); });
   const auto worker = std::make_shared<operator_port::background_worker>();
   const auto run = [worker](const std::string& from, std::function<void()> work) {
     return worker->run(from, std::move(work));
   };
   const auto way_of_worker = std::make_shared<runtime::gateway>(actors.make_gateway("page_files")); // one a thread
-  const auto upload = [way_of_worker, desk = desks.missions](operator_port::mission_upload asked) {
-    way_of_worker->tell(desk, std::move(asked));
+  const auto upload = [way_of_worker, handler = handlers.missions](operator_port::mission_upload asked) {
+    way_of_worker->tell(handler, std::move(asked));
   };
-  for (auto& each : operator_port::mission_routes(answers, upload, run, desks.allowed_commands))
+  for (auto& each : operator_port::mission_routes(answers, upload, run, handlers.allowed_commands))
     result.push_back(std::move(each));
   return result;
 }

@@ -1,8 +1,8 @@
-// The operators' port of a godwitd, with what stands behind it: what is shown, the desks that ask the actors, and what
-// the log says of it.
+// The operators' port of a godwitd, with what stands behind it: what is shown, the handlers that ask the actors, and
+// what the log says of it.
 //
 //   clients ══ port ── routes ──┬── view_api, stream_api, log_api, pictures, tiles, the page
-//                               └── operator_api ── operator_desk, view_desk, mission_desk ── actors
+//                               └── operator_api ── operator_handler, view_handler, mission_handler ── actors
 //
 // Without the port in the settings nothing of it is there. Thread: one owner, but for `note`.
 #pragma once
@@ -18,13 +18,13 @@
 #include "programs/godwitd/accounts/account_keeper.hpp"
 #include "programs/godwitd/control/port_view.hpp"
 #include "programs/godwitd/flight_actors.hpp"
-#include "programs/godwitd/operator_port/mission_desk.hpp"
+#include "programs/godwitd/operator_port/mission_handler.hpp"
 #include "programs/godwitd/operator_port/operator_api.hpp"
 #include "programs/godwitd/operator_port/operator_port.hpp"
 #include "programs/godwitd/operator_port/router.hpp"
 #include "programs/godwitd/operator_port/stream_api.hpp"
 #include "programs/godwitd/operator_port/view_api.hpp"
-#include "programs/godwitd/operator_port/view_desk.hpp"
+#include "programs/godwitd/operator_port/view_handler.hpp"
 #include "programs/godwitd/settings.hpp"
 #include "programs/godwitd/sightings/point_pictures.hpp"
 #include "programs/godwitd/view_actors.hpp"
@@ -35,7 +35,7 @@ namespace godwit::daemon {
 
 // What the page of operators needs beside commands: the actors that ask for it, and their routes. Thread: that of the
 // composition.
-struct page_desks {
+struct page_handlers {
   operator_port::view_inlet views;
   operator_port::mission_inlet missions;
   mission::allowed_commands allowed_commands; // that an uploaded mission may hold
@@ -43,12 +43,12 @@ struct page_desks {
 
 using answers_ptr = std::shared_ptr<operator_port::waiting_answers>;
 
-[[nodiscard]] page_desks add_page_desks(runtime::system& actors, const daemon_settings& settings,
-                                        const base_actors& base, const flight_actors& flight,
-                                        const answers_ptr& answers);
+[[nodiscard]] page_handlers add_page_handlers(runtime::system& actors, const daemon_settings& settings,
+                                              const base_actors& base, const flight_actors& flight,
+                                              const answers_ptr& answers);
 
-[[nodiscard]] operator_port::route_list page_desk_routes(runtime::system& actors, const page_desks& desks,
-                                                         const answers_ptr& answers);
+[[nodiscard]] operator_port::route_list page_handler_routes(runtime::system& actors, const page_handlers& handlers,
+                                                            const answers_ptr& answers);
 
 // Of the file of tiles; that there is none is an answer, too. WARN: it can not be used, as a sentence.
 [[nodiscard]] operator_port::route_list tile_routes_of(const operator_port::settings& wanted,
@@ -68,9 +68,9 @@ public:
   explicit operator_access(bool uses_tls) : answers_(std::make_shared<operator_port::waiting_answers>(uses_tls)) {}
 
   // Before the actors start; in a daemon that flies. PICTURED_POINTS: which the camera has shown; empty: there is none.
-  void add_desks(runtime::system& actors, const daemon_settings& wanted, const base_actors& base,
-                 const flight_actors& flight, std::function<std::vector<std::uint64_t>()> pictured_points,
-                 audit_source audit);
+  void add_handlers(runtime::system& actors, const daemon_settings& wanted, const base_actors& base,
+                    const flight_actors& flight, std::function<std::vector<std::uint64_t>()> pictured_points,
+                    audit_source audit);
   // A port that is taken is said, and is no reason not to fly. HOST and SAY outlive it.
   void open(runtime::process& host, const operator_port::settings& wanted, const view_surroundings& shown,
             const view_actors& views, sources from, sayer say);
@@ -100,8 +100,8 @@ private:
   std::shared_ptr<operator_port::view_api> view_api_;           // none before open
   std::shared_ptr<operator_port::stream_api> stream_api_;       // the same
   std::shared_ptr<operator_port::operator_api> operator_api_;   // the same, and without a flight
-  operator_port::desk_inlet desk_;                              // none without a flight
-  page_desks page_desks_;                                       // the same
+  operator_port::request_inlet handler_;                        // none without a flight
+  page_handlers page_handlers_;                                 // the same
   std::shared_ptr<operator_bridge::session_ends> session_ends_; // none before open
 };
 

@@ -1,4 +1,4 @@
-// Where an actor that is replayed meets its desk: what it sends goes here and to nobody, and what came in beside its
+// Where an actor that is replayed meets its bench: what it sends goes here and to nobody, and what came in beside its
 // mailbox comes from the record. In flight there is none. Thread: the actor's.
 #pragma once
 

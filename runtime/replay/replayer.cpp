@@ -26,8 +26,8 @@ bool was_handled(const recorded_message& input) {
 
 } // namespace
 
-replayer::replayer(desk& on, const recorded_run& record, replay_options options)
-    : desk_(on), record_(record), options_(options), used_(record.outputs().size()) {
+replayer::replayer(actor_bench& on, const recorded_run& record, replay_options options)
+    : bench_(on), record_(record), options_(options), used_(record.outputs().size()) {
   for (std::size_t n = 0; n < record.outputs().size(); ++n)
     by_cause_.emplace(record.outputs()[n].cause, n);
 }
@@ -82,7 +82,7 @@ void replayer::begin(std::size_t at) {
   ++summary_.incarnations;
   if (!expect_facts(input))
     return;
-  auto done = desk_.begin({incarnation_, *std::move(restored), input.id, moment_of(input)});
+  auto done = bench_.begin({incarnation_, *std::move(restored), input.id, moment_of(input)});
   if (done.handled.size() > 1)
     made_by_itself_ = done.handled.size() - 1;
   judge(input, done);
@@ -102,11 +102,11 @@ tl::expected<recovered, std::string> replayer::restored_of(const recorded_messag
   return *std::move(restored);
 }
 
-// A word of the disk that the desk has heard with the beginning.
+// A word of the disk that the bench has heard with the beginning.
 void replayer::judge_made_by_itself(const recorded_message& input) {
   if (input.how != outcome::crashed)
     return judge_missing(input);
-  const desk_result alive;
+  const bench_result alive;
   if (is_planned(input, alive))
     leave_planned(input);
   else
@@ -121,14 +121,14 @@ void replayer::leave_out(const recorded_message& input, std::string why) {
 
 // -- an input ---------------------------------------------------------------------------------------
 
-desk_moment replayer::moment_of(const recorded_message& input) const {
+bench_moment replayer::moment_of(const recorded_message& input) const {
   return {input.began_ns - options_.monotonic_to_utc_ns + input.clock_offset_ns, input.began_ns + input.wall_offset_ns};
 }
 
 bool replayer::expect_facts(const recorded_message& input) {
   beside_ = record_.observed(input.incarnation, input.id);
   for (const auto* fact : beside_)
-    if (auto taken = desk_.expect_observed(fact->type, fact->body); !taken) {
+    if (auto taken = bench_.expect_observed(fact->type, fact->body); !taken) {
       find({.kind = deviation_kind::can_not_take, .input = &input, .what = taken.error()});
       return false;
     }
@@ -138,7 +138,7 @@ bool replayer::expect_facts(const recorded_message& input) {
 void replayer::hand_over(const recorded_message& input) {
   if (!expect_facts(input))
     return;
-  auto done = desk_.deliver(
+  auto done = bench_.deliver(
       {input.id, input.cause, input.sender, record_.is_actor(input.sender), input.type, input.body, moment_of(input)});
   if (!done) {
     find({.kind = deviation_kind::can_not_take, .input = &input, .what = done.error()});
@@ -148,7 +148,7 @@ void replayer::hand_over(const recorded_message& input) {
   judge(input, *done);
 }
 
-bool replayer::is_planned(const recorded_message& input, const desk_result& done) const {
+bool replayer::is_planned(const recorded_message& input, const bench_result& done) const {
   return input.how == outcome::fenced || (input.how == outcome::crashed && done.crash.empty() &&
                                           record_.crash_reason(incarnation_).starts_with(planned_crash_words));
 }
@@ -161,7 +161,7 @@ void replayer::leave_planned(const recorded_message& input) {
     used_[n] = true;
 }
 
-void replayer::judge(const recorded_message& input, desk_result& done) {
+void replayer::judge(const recorded_message& input, bench_result& done) {
   ++summary_.inputs;
   step_.input = &input;
   for (const auto n : expected_of(input.id))
@@ -171,7 +171,7 @@ void replayer::judge(const recorded_message& input, desk_result& done) {
   const auto own = done.handled.empty() ? 0 : done.handled.front().id;
   for (auto& each : done.sent) {
     if (each.cause == own)
-      each.cause = input.id; // a message of the runtime's own: it is made anew on the desk
+      each.cause = input.id; // a message of the runtime's own: it is made anew on the bench
     match(input, each);
   }
   for (const auto& each : done.beside)
@@ -182,11 +182,11 @@ void replayer::judge(const recorded_message& input, desk_result& done) {
   step_.produced = &shown_;
 }
 
-void replayer::judge_beside(const recorded_message& input, const desk_beside& each) {
+void replayer::judge_beside(const recorded_message& input, const handler_beside& each) {
   const auto* const expected = each.expected ? beside_.at(*each.expected) : nullptr;
   if (each.produced.empty())
     return find({.kind = deviation_kind::not_done, .input = &input, .expected = expected});
-  desk_sending produced{.to = record_.actor(), .type = type_of<outside_call>().name, .body = each.produced};
+  bench_sending produced{.to = record_.actor(), .type = type_of<outside_call>().name, .body = each.produced};
   auto fields = expected == nullptr ? std::vector<field_difference>() : differences(expected->body, each.produced, 0);
   if (expected != nullptr && fields.empty()) {
     ++summary_.compared;
@@ -200,7 +200,7 @@ void replayer::judge_beside(const recorded_message& input, const desk_beside& ea
 }
 
 // False: the incarnation has ended.
-bool replayer::judge_end(const recorded_message& input, const desk_result& done) {
+bool replayer::judge_end(const recorded_message& input, const bench_result& done) {
   const bool has_crashed = input.how == outcome::crashed;
   if (has_crashed && !done.crash.empty())
     ++summary_.crashes;
@@ -229,7 +229,7 @@ std::vector<std::size_t> replayer::expected_of(std::uint64_t cause) const {
 }
 
 // The first message of the record to the same receiver: that one, or, where it differs, the one of the same id.
-void replayer::match(const recorded_message& input, const desk_sending& each) {
+void replayer::match(const recorded_message& input, const bench_sending& each) {
   const auto& outputs = record_.outputs();
   auto candidates = expected_of(each.cause);
   std::erase_if(candidates, [&](std::size_t n) { return outputs[n].receiver != each.to; });
@@ -245,8 +245,8 @@ void replayer::match(const recorded_message& input, const desk_sending& each) {
   const auto chosen = same == candidates.end() ? *in_place : *same;
   used_[chosen] = true;
   if (each.id != outputs[chosen].id) {
-    desk_.note_recorded_id(each.id, outputs[chosen].id);
-    desk_.continue_ids_from(outputs[chosen].id + 1);
+    bench_.note_recorded_id(each.id, outputs[chosen].id);
+    bench_.continue_ids_from(outputs[chosen].id + 1);
   }
   if (same != candidates.end())
     ++summary_.compared;
@@ -258,7 +258,7 @@ void replayer::match(const recorded_message& input, const desk_sending& each) {
           .fields = outputs[chosen].type == each.type ? fields_of(chosen) : std::vector<field_difference>()});
 }
 
-void replayer::judge_unrecorded(const recorded_message& input, const desk_sending& each) {
+void replayer::judge_unrecorded(const recorded_message& input, const bench_sending& each) {
   const auto& outputs = record_.outputs();
   bool should_be_there = false;
   if (record_.has_failed(each.id) || (each.is_answer && record_.has_failed(each.cause))) {
@@ -279,7 +279,7 @@ void replayer::judge_unrecorded(const recorded_message& input, const desk_sendin
     ++summary_.unconfirmed;
 }
 
-// What the record has of this input, or of earlier ones, and the desk has not sent. An answer may come later.
+// What the record has of this input, or of earlier ones, and the bench has not sent. An answer may come later.
 void replayer::judge_missing(const recorded_message& input) {
   for (const auto n : expected_of(input.id)) {
     const auto& each = record_.outputs()[n];

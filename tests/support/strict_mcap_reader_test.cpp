@@ -89,7 +89,7 @@ TEST(strict_mcap_reader, rules_between_records_are_checked) {
   rules[2].broken = "one id means one channel";
   append_channel(rules[2].data, {channel_id{1}, schema_id{0}, "/t", "json", {}});
   append_channel(rules[2].data, {channel_id{1}, schema_id{0}, "/u", "json", {}});
-  rules[3].broken = "the summary stands behind the data";
+  rules[3].broken = "the summary comes after the data";
   append_statistics(rules[3].data, {});
   rules[4].broken = "a chunk has one size";
   append_chunk(rules[4].data, "", 4);

@@ -84,7 +84,7 @@ void homecoming::answer_failsafe(effects& out, bool has_looked, instant now) {
   answered_ = status->return_asked->number;
   auto why = why_not_for_failsafe(now);
   const bool is_taken = why.empty();
-  out.emplace_back(say_to_failsafe{failsafe::return_taken{answered_, is_taken, std::move(why)}});
+  out.emplace_back(send_to_failsafe{failsafe::return_taken{answered_, is_taken, std::move(why)}});
   if (!is_taken)
     return;
   is_for_failsafe_ = true;

@@ -67,7 +67,7 @@ void service_view::ask_again(effects& out, instant now) {
     return ask_for_next(out, now, at_once);
   if (may_begin_again_ && (at_once || now.now_ns >= begin_at_ns_)) {
     may_begin_again_ = false; // until it is refused again
-    out.emplace_back(say_to_client{mission_client::begin_mission{flight_.configured.mission_id}});
+    out.emplace_back(send_to_client{mission_client::begin_mission{flight_.configured.mission_id}});
     return;
   }
   if (wants_status() && !flight_.is_mission_deleted())
@@ -95,14 +95,14 @@ void service_view::ask_for_next(effects& out, instant now, bool at_once) {
     return;
   next_at_ns_ = now.now_ns + begin_again_ns;
   told_over_ = std::move(ended);
-  out.emplace_back(say_to_client{mission_client::begin_next{flight_.configured.vehicle_id, told_over_}});
+  out.emplace_back(send_to_client{mission_client::begin_next{flight_.configured.vehicle_id, told_over_}});
 }
 
 void service_view::ask_for_map(effects& out, instant now, bool at_once) {
   const auto& id = flight_.s.mission->mission_id;
   if (is_copy_accepted() && !at_once) {
     if (!std::exchange(is_told_of_copy_, true))
-      out.emplace_back(say_to_client{mission_client::accept_copy{id}});
+      out.emplace_back(send_to_client{mission_client::accept_copy{id}});
     return;
   }
   if (map_ != pull_state::failed && map_ != pull_state::cached_fallback)
@@ -115,7 +115,7 @@ void service_view::ask_for_map(effects& out, instant now, bool at_once) {
   pull_at_ns_ = now.now_ns + pull_pause_ns();
   if (map_ == pull_state::failed)
     map_ = pull_state::in_flight;
-  out.emplace_back(say_to_client{mission_client::pull_map{id}});
+  out.emplace_back(send_to_client{mission_client::pull_map{id}});
 }
 
 std::string service_view::pull() {

@@ -90,7 +90,7 @@ bool item_planner::is_home(const mission::position& goal) const {
   return is_same_place(goal, setting_.home) && (writer_.began_under_way() || is_same_place(goal, writer_.start()));
 }
 
-// Behind a landing on higher ground: so much above the ground there, and never less above home than was asked for.
+// After a landing on higher ground: so much above the ground there, and never less above home than was asked for.
 double item_planner::take_off_altitude_m(double asked_m) const {
   return setting_.is_home_set_again ? asked_m + std::max(0.0, writer_.start().altitude_m) : asked_m;
 }

@@ -9,7 +9,7 @@
 // | loiter       | NAV_LOITER_TIME: it hovers      | NAV_LOITER_TIME: it circles      | NAV_WAYPOINT with hold     |
 // | change_speed | DO_CHANGE_SPEED over ground     | through the air                  | over ground                |
 // | survey       | 2 NAV_WAYPOINT for each line    | the same                         | the same                   |
-// | land         | NAV_LAND                        | NAV_LAND, behind a place that is | NAV_WAYPOINT: it drives    |
+// | land         | NAV_LAND                        | NAV_LAND, after a place that is  | NAV_WAYPOINT: it drives    |
 // |              |                                 | higher and not too steep         | there and stops            |
 // | return       | NAV_RETURN_TO_LAUNCH            | the same; it circles or lands as | NAV_RETURN_TO_LAUNCH       |
 // |              |                                 | its own settings say             |                            |

@@ -11,7 +11,7 @@ namespace godwit::executor::plan {
 
 enum class plan_errc {
   unknown_vehicle,       // it has not said what it is
-  no_such_item,          // the plan shall begin behind the end of the mission
+  no_such_item,          // the plan shall begin after the end of the mission
   nothing_to_fly,        // no item moves the vehicle
   no_take_off,           // the vehicle stands on the ground, and something else comes first
   late_take_off,         // in the middle of a flight

@@ -46,7 +46,7 @@ public:
   // On to the item called ENTRY, which comes after those that the loop leads back to.
   void end_lead_in(const std::string& entry);
   void note(std::string sentence) { plan_.notes.push_back(std::move(sentence)); }
-  // Behind it come its lines.
+  // After it come its lines.
   void begin_survey(std::uint32_t lines_before, std::uint16_t items_per_line, std::uint16_t items_after_line);
   void end_survey();
 

@@ -38,7 +38,7 @@ struct plan_setting {
   vehicle_home home;
   mission::position start;   // where the vehicle is when the first plan begins; altitude as in the mission
   bool is_under_way = false; // it flies, or is a rover that has begun to drive; else it stands, and home moves to there
-  // Behind a landing on the way: `home` is that of the mission, and is set again for the flight that begins here.
+  // After a landing on the way: `home` is that of the mission, and is set again for the flight that begins here.
   bool is_home_set_again = false;
 
   // Of the vehicle's own circles, where an item leaves the radius to it. PX4 has 80 m (NAV_LOITER_RAD), ArduPilot 60 m

@@ -89,7 +89,7 @@ item_planner::outcome item_planner::plan(const mission::survey& item) {
   return std::nullopt;
 }
 
-// A command behind a place is executed when the vehicle is there.
+// A command after a place is executed when the vehicle is there.
 item_planner::outcome item_planner::fly_line(const mission::survey& item, const survey_line& line) {
   constexpr double accept_radius_m = 2; // a PX4's own, 10 m, would begin the pictures before the line
   const auto& camera = item.camera;

@@ -1,5 +1,5 @@
 // The plan of a vehicle that is called home and must not fly there straight: over the turns, and from the last one by
-// the autopilot's own return, which lands where it always does. A rover ends at a waypoint there, behind which those
+// the autopilot's own return, which lands where it always does. A rover ends at a waypoint there, after which those
 // that drive by the MAVLink text hold. Where the autopilot's return leads elsewhere (TO), it ends there with a landing.
 // No item of the mission belongs to it. Thread: pure.
 #pragma once

@@ -22,16 +22,17 @@ enum class child_name {
   health,
   telemetry_stream,
   fleet_link,
-  view_desk,
-  mission_desk,
-  operator_desk,
-  control_desk,
+  view_handler,
+  mission_handler,
+  operator_handler,
+  control_handler,
   ground_run // in the place of the executor
 };
 
 GODWIT_ENUM_NAMES(child_name, vehicle_link, failsafe, executor, mission_client, mapobjects_store, ground_port,
                   operator_bridge, landing_watch, sightings, scan_controller, movement_detector, health,
-                  telemetry_stream, fleet_link, view_desk, mission_desk, operator_desk, control_desk, ground_run);
+                  telemetry_stream, fleet_link, view_handler, mission_handler, operator_handler, control_handler,
+                  ground_run);
 
 [[nodiscard]] inline std::string name(child_name which) { return std::string(io::name_of(which)); }
 

@@ -38,10 +38,10 @@ constexpr std::array rows{
     row{health, always, false, false, true},
     row{telemetry_stream, always, false, false, true},
     row{fleet_link, always, false, false, true},
-    row{view_desk, always, false, false, true},
-    row{mission_desk, always, false, false, true},
-    row{operator_desk, always},
-    row{control_desk, always},
+    row{view_handler, always, false, false, true},
+    row{mission_handler, always, false, false, true},
+    row{operator_handler, always},
+    row{control_handler, always},
     row{ground_run, {essential, wanted, wanted}},
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 void withdraw_at_failsafe(const task_runner::world& w, std::vector<std::uint32_t> modes) {
   if (!modes.empty())
-    w.out.emplace_back(say_to_failsafe{failsafe::expect_mode{std::move(modes), 0, true}});
+    w.out.emplace_back(send_to_failsafe{failsafe::expect_mode{std::move(modes), 0, true}});
 }
 
 } // namespace
@@ -184,7 +184,7 @@ void task_runner::announce_modes(const world& w) {
   auto modes = announced_modes(task_->kind, way_, at_, w.view.owner());
   if (!modes.empty())
     w.out.emplace_back(
-        say_to_failsafe{failsafe::expect_mode{std::move(modes), flight::order_is_expected_ns / 1'000'000}});
+        send_to_failsafe{failsafe::expect_mode{std::move(modes), flight::order_is_expected_ns / 1'000'000}});
 }
 
 void task_runner::withdraw_announced(const world& w) {

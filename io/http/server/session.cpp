@@ -77,7 +77,7 @@ void session::refuse_plain() {
   watch(clock::now() + parts_->set.write_timeout, &server_counters::write_timeouts);
   connection_->write_plain(head_, tls_sentence, [self = shared_from_this()](const error_code& failed, auto) {
     if (self->phase_ != phase::ended)
-      failed ? self->end() : self->say_goodbye();
+      failed ? self->end() : self->send_goodbye();
   });
 }
 
@@ -283,14 +283,14 @@ void session::answered() {
   on_gone_ = nullptr;
   begun_at_.reset();
   if (is_last_)
-    return say_goodbye();
+    return send_goodbye();
   auto how_far = reader_.next();
   if (how_far == progress::more && early_bytes_ != 0)
     how_far = reader_.feed(std::span(bytes_).first(std::exchange(early_bytes_, 0)));
   go_on(how_far);
 }
 
-void session::say_goodbye() {
+void session::send_goodbye() {
   phase_ = phase::closing;
   watch(clock::now() + parts_->set.close_timeout, nullptr);
   connection_->shut_down([self = shared_from_this()](const error_code&, auto) { self->drain(); });
@@ -307,7 +307,7 @@ void session::drain() {
 void session::close() {
   is_last_ = true;
   if (phase_ == phase::reading)
-    say_goodbye();
+    send_goodbye();
 }
 
 void session::lost() {

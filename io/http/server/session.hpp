@@ -81,7 +81,7 @@ private:
   void send_piece();
   void have_sent();
   void answered();
-  void say_goodbye();
+  void send_goodbye();
   void drain();
   void lost();
   void note_addresses();

@@ -32,7 +32,7 @@ std::vector<flight_case> process_cases(vehicles which, std::span<const std::uint
       for (const auto where : {side::before, side::after}) {
         const auto who = which[i];
         const auto group = std::string(io::name_of(who));
-        const auto name = group + "/commit_" + std::to_string(commit) + (where == side::before ? "/before" : "/behind");
+        const auto name = group + "/commit_" + std::to_string(commit) + (where == side::before ? "/before" : "/after");
         result.push_back(
             {name, group, [=](const flight_wishes& wishes) { return fly(who, commit, where, name, wishes); }});
       }

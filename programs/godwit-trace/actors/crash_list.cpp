@@ -55,7 +55,7 @@ crash* crash_list::begin_crash(const delivery& each, const std::string& actor, s
              .first_after = {},
              .delivered_again = 0,
              .last_delivery_ended = {}};
-  // A crash that somebody told of later: what the next incarnation took already stands behind it.
+  // A crash that somebody told of later: what the next incarnation took already comes after it.
   const auto later =
       std::ranges::find_if(made.before, [&](const kept& one) { return one.what.incarnation > incarnation; });
   if (later != made.before.end())

@@ -143,7 +143,7 @@ exit_code run_crashes(const crashes_arguments& given, console& to) {
   for (const auto actor : actors)
     names.push_back((*trace)->names.name(actor));
   const bool is_read = given.journal.empty() || print_dead_letters(given, names, to);
-  say_losses((*trace)->reader, to);
+  report_losses((*trace)->reader, to);
   if (list.crashes().empty())
     to.say("no actor crashed in what could be read");
   if (list.not_kept() > 0)

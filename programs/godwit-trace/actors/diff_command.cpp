@@ -50,7 +50,7 @@ tl::expected<void, std::string> for_each_of_run(const side& of, console& to, con
   }
   if (!first)
     return tl::unexpected(of.where.paths[0] + ": there are no messages in it");
-  say_losses((*trace)->reader, to);
+  report_losses((*trace)->reader, to);
   return {};
 }
 

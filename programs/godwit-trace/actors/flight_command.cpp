@@ -94,8 +94,8 @@ exit_code run_flight(const flight_arguments& given, console& to) {
   }
   while (const auto frame = frames->next())
     print_frame(*frame);
-  say_losses((*trace)->reader, to);
-  say_problems(*frames, to);
+  report_losses((*trace)->reader, to);
+  report_problems(*frames, to);
   return exit_code::ok;
 }
 

@@ -127,7 +127,7 @@ exit_code run_flow(const flow_arguments& given, console& to) {
   }
   if (!given.trace.json)
     tree.append_to(out, (*trace)->names, paint(to.is_terminal), given.id);
-  say_losses((*trace)->reader, to);
+  report_losses((*trace)->reader, to);
   if (!family.is_all)
     to.say("there are more than " + std::to_string(given.limit) + " messages in this flow; --limit shows more of them");
   return exit_code::ok;

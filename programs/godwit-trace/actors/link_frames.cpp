@@ -159,7 +159,7 @@ tl::expected<link_frames, std::string> open_links(const link_arguments& given, c
   return result;
 }
 
-void say_problems(const link_frames& frames, console& to) {
+void report_problems(const link_frames& frames, console& to) {
   for (const auto& each : frames.problems())
     to.say(each);
 }

@@ -86,7 +86,7 @@ private:
 [[nodiscard]] tl::expected<link_frames, std::string> open_links(const link_arguments& given, const opened_trace& trace);
 
 // On TO.words.
-void say_problems(const link_frames& frames, console& to);
+void report_problems(const link_frames& frames, console& to);
 
 // One line: time, link, who sent it, name, fields.
 void append_frame_line(std::string& out, const link_frame& each);

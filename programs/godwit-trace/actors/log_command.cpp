@@ -90,8 +90,8 @@ exit_code run_log(const log_arguments& given, console& to) {
   for (auto frame = frames->next(); frame && to.out.flush_if_full(); frame = frames->next())
     print_frame(*frame);
   if (to.out.is_taken()) {
-    say_losses((*trace)->reader, to);
-    say_problems(*frames, to);
+    report_losses((*trace)->reader, to);
+    report_problems(*frames, to);
   }
   return exit_code::ok;
 }
@@ -150,7 +150,7 @@ exit_code run_show(const show_arguments& given, console& to) {
     }
     ++found;
   }
-  say_losses((*trace)->reader, to);
+  report_losses((*trace)->reader, to);
   if (found == 0)
     to.say("no message has the id " + std::to_string(given.id) + " in what could be read");
   return found == 0 ? exit_code::failed : exit_code::ok;

@@ -137,7 +137,7 @@ exit_code run_ls(const trace_arguments& given, console& to) {
   for (const auto& [number, run] : runs)
     append_run(out, number, run, names);
   out += std::to_string(reader.counts().files) + " files, " + std::to_string(reader.counts().bytes) + " bytes\n";
-  say_losses(reader, to);
+  report_losses(reader, to);
   return exit_code::ok;
 }
 

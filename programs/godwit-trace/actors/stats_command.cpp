@@ -136,7 +136,7 @@ exit_code run_stats(const stats_arguments& given, console& to) {
       append_bars(out, "HANDLING (from this on)", all.handling);
     }
   }
-  say_losses((*trace)->reader, to);
+  report_losses((*trace)->reader, to);
   return exit_code::ok;
 }
 

@@ -85,7 +85,7 @@ tl::expected<std::unique_ptr<opened_trace>, std::string> open_trace(const trace_
   return result;
 }
 
-void say_losses(const runtime::trace_reader& reader, console& to) {
+void report_losses(const runtime::trace_reader& reader, console& to) {
   to.out.flush();
   const auto& losses = reader.losses();
   for (std::size_t n = 0; n < losses.size() && n < max_losses_said; ++n)

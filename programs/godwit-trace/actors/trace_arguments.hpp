@@ -46,7 +46,7 @@ struct opened_trace {
                                                                                   console& to);
 
 // Says on TO.words what the trace does not hold, at most a few sentences.
-void say_losses(const runtime::trace_reader& reader, console& to);
+void report_losses(const runtime::trace_reader& reader, console& to);
 
 // Which deliveries are wanted: by actor, sender, type, text in the message, id, cause and how they ended.
 //

@@ -125,7 +125,7 @@ exit_code run_verify(const verify_arguments& given, console& to) {
     else
       append_judged(to.out.text(), one, !given.journal.empty(), !actors.empty(), colours);
   }
-  say_losses((*trace)->reader, to);
+  report_losses((*trace)->reader, to);
   return is_violated ? exit_code::failed : exit_code::ok;
 }
 

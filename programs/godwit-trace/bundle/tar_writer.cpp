@@ -18,7 +18,7 @@ using io::mcap::result;
 constexpr std::size_t block_bytes = 512;
 constexpr std::array<std::byte, 2 * block_bytes> zeros{};
 
-// One header; all texts are zeros behind their end.
+// One header; all texts are zeros after their end.
 struct ustar_header {
   char name[100];
   char mode[8];
@@ -80,8 +80,8 @@ result<void> tar_writer::add_header(const std::string& name, std::uint64_t size_
 }
 
 result<void> tar_writer::fill_block() {
-  const auto behind = file_.size_bytes() % block_bytes;
-  return behind == 0 ? result<void>{} : file_.append(std::span(zeros).first(block_bytes - behind));
+  const auto over = file_.size_bytes() % block_bytes;
+  return over == 0 ? result<void>{} : file_.append(std::span(zeros).first(block_bytes - over));
 }
 
 result<void> tar_writer::add(const std::string& name, std::string_view text) {

@@ -4,7 +4,7 @@
 
 #include "programs/godwit-trace/actors/trace_arguments.hpp"
 #include "programs/godwit-trace/commands.hpp"
-#include "programs/godwit-trace/replay/flight_desk.hpp"
+#include "programs/godwit-trace/replay/flight_bench.hpp"
 #include "programs/godwit-trace/replay/recorded_settings.hpp"
 #include "programs/godwit-trace/replay/replay_text.hpp"
 #include "runtime/replay/replayer.hpp"
@@ -72,9 +72,9 @@ void replay_run(const replay_arguments& given, const opened_trace& trace, std::u
   const auto settings = recorded_settings(about, given.settings_file);
   if (!settings)
     return refuse(settings.error());
-  const auto desk = flight_desk::make(given.actor, *settings, {run, number_in<std::uint64_t>(about, "seed")});
-  if (!desk)
-    return refuse(desk.error());
+  const auto bench = flight_bench::make(given.actor, *settings, {run, number_in<std::uint64_t>(about, "seed")});
+  if (!bench)
+    return refuse(bench.error());
   if (record.inputs().empty())
     return refuse(given.actor + " has taken nothing in what could be read");
   runtime::replay_options options;
@@ -83,7 +83,7 @@ void replay_run(const replay_arguments& given, const opened_trace& trace, std::u
   options.max_deviations = given.all ? max_deviations_shown : 1;
   options.monotonic_to_utc_ns = number_in<std::int64_t>(about, "monotonic_to_utc_ns");
   const paint colours(to.is_terminal);
-  const auto found = runtime::replayer((*desk)->bench(), record, options).run([&](const runtime::replay_step& step) {
+  const auto found = runtime::replayer((*bench)->bench(), record, options).run([&](const runtime::replay_step& step) {
     if (!given.step || given.trace.json)
       return;
     append_step(to.out.text(), step, colours);
@@ -116,7 +116,7 @@ exit_code run_replay(const replay_arguments& given, console& to) {
   }
   if (record)
     replay_run(given, **trace, run, *record, end, to);
-  say_losses((*trace)->reader, to);
+  report_losses((*trace)->reader, to);
   if (std::ranges::any_of((*trace)->reader.losses(), &runtime::loss::is_hole) && end.has_deviated)
     to.say("records are missing in between: what deviates may come of that");
   if (!end.has_replayed && !end.has_failed)

@@ -8,7 +8,7 @@ namespace godwit::trace_tool {
 
 namespace {
 
-using runtime::desk_sending;
+using runtime::bench_sending;
 using runtime::deviation;
 using runtime::deviation_kind;
 using runtime::recorded_message;

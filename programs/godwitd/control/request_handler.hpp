@@ -58,7 +58,7 @@ struct peers {
   std::optional<executor::operator_handle> flight;        // else
   std::optional<executor::missions_handle> missions;      // with a flight
   std::optional<executor::view_handle> traffic;           // the same
-  std::optional<operator_bridge::desk_handle> bridge;     // with a flight
+  std::optional<operator_bridge::handler_handle> bridge;  // with a flight
   std::optional<ground_handle> ground;                    // with a flight and a line for ground stations
   std::optional<override_handle> failsafe;                // with a flight
   std::optional<failsafe_status_handle> failsafe_status;  // with a flight

@@ -2,7 +2,7 @@
 // (application/octet-stream) and ?format=json, plan, waypoints, geojson or kml; &partial=yes takes what can be taken.
 //
 //   check: {"mission": ..., "losses": [{"item", "what", "why", "instead", "line"}]}, or 422 with all that is wrong
-//   else: the same, and then it goes to mission_desk, which says whether it is taken
+//   else: the same, and then it goes to mission_handler, which says whether it is taken
 //
 // It may hold the commands that are ALLOWED as well. The file is read by RUN, beside the thread of the port; where too
 // many wait, the answer is 503. Errors: problem documents. Thread: the handlers in that of the port, TELL in that of
@@ -20,7 +20,7 @@
 #include <boost/asio/thread_pool.hpp>
 
 #include "actors/domain/mission/commands/command_policy.hpp"
-#include "programs/godwitd/operator_port/mission_desk.hpp"
+#include "programs/godwitd/operator_port/mission_handler.hpp"
 #include "programs/godwitd/operator_port/router.hpp"
 
 namespace godwit::operator_port {

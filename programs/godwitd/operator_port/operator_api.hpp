@@ -15,7 +15,7 @@
 #include <string>
 
 #include "programs/godwitd/accounts/account_keeper.hpp"
-#include "programs/godwitd/operator_port/operator_desk.hpp"
+#include "programs/godwitd/operator_port/operator_handler.hpp"
 #include "programs/godwitd/operator_port/request_body.hpp"
 #include "programs/godwitd/operator_port/router.hpp"
 #include "programs/godwitd/operator_port/waiting_answers.hpp"
@@ -24,7 +24,7 @@ namespace godwit::operator_port {
 
 class operator_api {
 public:
-  // To the desk; may be called by any thread, one at a time.
+  // To the handler; may be called by any thread, one at a time.
   using inlet = std::function<void(api_request asked)>;
 
   operator_api(std::shared_ptr<waiting_answers> answers, accounts::account_keeper& keeper, inlet tell);

@@ -42,7 +42,7 @@ tl::expected<wanted_topic, std::string> read_topic(std::string_view text) {
   const auto [stop, failed] = std::from_chars(digits.data(), digits.data() + digits.size(), rate_hz);
   if (failed != std::errc() || stop != digits.data() + digits.size() || !(rate_hz >= lowest_rate_hz) ||
       rate_hz > highest_rate_hz)
-    return tl::make_unexpected("Behind @ stands how often a second, 0.01 to 100.");
+    return tl::make_unexpected("After @ comes how often a second, 0.01 to 100.");
   result.interval_ns = static_cast<std::int64_t>(1e9 / rate_hz);
   return result;
 }

@@ -31,9 +31,9 @@ route_list view_api::routes() {
   return {
       {"GET", "/healthz", 0, [self](const server_request&, responder answer) { self->say_health(std::move(answer)); }},
       {"GET", "/status", 0,
-       [self](const server_request&, responder answer) { self->say_report(std::move(answer), &view_api::as_json); }},
+       [self](const server_request&, responder answer) { self->send_report(std::move(answer), &view_api::as_json); }},
       {"GET", "/metrics", 0, [self](const server_request&, responder answer) {
-         self->say_report(std::move(answer), &view_api::as_metrics);
+         self->send_report(std::move(answer), &view_api::as_metrics);
        }}};
 }
 
@@ -45,7 +45,7 @@ void view_api::say_health(responder answer) const {
   answer.send({.status = status.worst == health::colour::red ? 503U : 200U, .body = health::json_of(status)});
 }
 
-void view_api::say_report(responder answer, form how) {
+void view_api::send_report(responder answer, form how) {
   if (made_at_ && clock::now() - *made_at_ < max_report_age)
     return answer.send((this->*how)(*parts_.reports->newest()));
   if (waiting_.empty()) {

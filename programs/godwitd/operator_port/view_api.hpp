@@ -53,7 +53,7 @@ private:
   };
 
   void say_health(responder answer) const;
-  void say_report(responder answer, form how);
+  void send_report(responder answer, form how);
   void hand_out(const std::shared_ptr<const health::report>& made);
   void give_up();
   [[nodiscard]] server_response as_json(const health::report& made) const;

@@ -333,7 +333,7 @@ void flight_world::take(const failsafe::remember& each) {
   static_cast<void>(failsafe::durable_core::apply(record_, each.what, now().wall_ns));
 }
 
-void flight_world::take(const executor::say_to_failsafe& each) {
+void flight_world::take(const executor::send_to_failsafe& each) {
   std::visit([this](const auto& what) { failsafe_->take(what, failsafe_now()); }, each.what);
   tick_failsafe();
 }
@@ -437,7 +437,7 @@ std::uint64_t flight_world::station_commands(executor::act_kind what, executor::
   return last_act_;
 }
 
-void flight_world::take(const executor::say_to_port& each) {
+void flight_world::take(const executor::send_to_port& each) {
   if (const auto* plan = std::get_if<ground_port::set_mission>(&each.what)) {
     shown_items_ = plan->items;
     ++times_shown_;
@@ -490,7 +490,7 @@ void flight_world::take(const executor::effects& wanted) {
 
 void flight_world::take(const executor::order& each) {
   if (!each.expected.empty())
-    take(executor::say_to_failsafe{failsafe::expect_mode{each.expected, flight::order_is_expected_ns / 1'000'000}});
+    take(executor::send_to_failsafe{failsafe::expect_mode{each.expected, flight::order_is_expected_ns / 1'000'000}});
   const bool stands_by = state_.doing && state_.doing->kind == executor::task_kind::stand_by;
   const bool changes_nothing = std::holds_alternative<failsafe::guard_mission>(each.what) ||
                                std::holds_alternative<vehicle_link::download_plan>(each.what) ||
@@ -537,7 +537,7 @@ void flight_world::take(const executor::order& each) {
       each.what);
 }
 
-void flight_world::take(const executor::say_to_client& each) {
+void flight_world::take(const executor::send_to_client& each) {
   begins_ += std::holds_alternative<mission_client::begin_mission>(each.what) ? 1 : 0;
   if (std::holds_alternative<mission_client::pull_map>(each.what)) {
     ++pulls_;

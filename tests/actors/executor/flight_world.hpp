@@ -260,9 +260,9 @@ private:
   void take(const executor::order& each);
   void take(const executor::give_up_transfer&) { take(link_->on_cancel_transfer(link_now())); }
   void take(const executor::watch_vehicle& each) { take(link_->on_watch_closely({each.is_close}, link_now())); }
-  void take(const executor::say_to_client& each);
-  void take(const executor::say_to_failsafe& each);
-  void take(const executor::say_to_port& each);
+  void take(const executor::send_to_client& each);
+  void take(const executor::send_to_failsafe& each);
+  void take(const executor::send_to_port& each);
   void take_report(const mission::progress_report& report);
   void take(const failsafe::effects& wanted);
   void take(const failsafe::command_vehicle& each);

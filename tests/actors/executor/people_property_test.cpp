@@ -310,7 +310,7 @@ private:
       edges_ += is_edge_ ? 1 : 0;
     }
     if (orders_before_ && sent != *orders_before_)
-      violation_ = "something was sent behind a takeover that was heard";
+      violation_ = "something was sent after a takeover that was heard";
   }
 
   void watch_starts() {

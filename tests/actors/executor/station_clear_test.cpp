@@ -183,7 +183,7 @@ TEST(clear_of_a_station, nothing_is_sent_to_a_vehicle_that_is_armed_meanwhile) {
   EXPECT_EQ(it.lets_out(unsent, now), core::release::too_late);
   const auto told = it.on_late(unsent, now);
   EXPECT_TRUE(std::ranges::any_of(told, [](const effect& each) {
-    const auto* said = std::get_if<say_to_port>(&each);
+    const auto* said = std::get_if<send_to_port>(&each);
     const auto* judged = said == nullptr ? nullptr : std::get_if<ground_port::plan_judged>(&said->what);
     return judged != nullptr && judged->verdict == plan_verdict::failed;
   }));

@@ -19,7 +19,7 @@ using namespace std::chrono_literals;
 using runtime::crash_point;
 
 enum class op {
-  say_report,
+  send_report,
   say_insert,
   assign,
   see,
@@ -58,7 +58,7 @@ public:
 
   void take(op what, int number) {
     switch (what) {
-    case op::say_report:
+    case op::send_report:
       return say([n = ++reports](process& p) { p.say(report(mission_a, n)); });
     case op::say_insert:
       return say([n = ++inserts, base = around.service.at(mission_a).document.revision](process& p) {

@@ -16,7 +16,7 @@ struct heard {
   explicit heard(std::vector<std::string> command) : who(helper::make(std::move(command)).value()) {
     who->attach({[this](std::uint32_t run, const message& said) {
                    const std::lock_guard guard(mutex);
-                   said_by[run].push_back(std::get<status>(said).reason);
+                   reported_by[run].push_back(std::get<status>(said).reason);
                    changed.notify_all();
                  },
                  [this](std::uint32_t run, const std::string& why) {
@@ -32,7 +32,7 @@ struct heard {
   }
   std::mutex mutex;
   std::condition_variable changed;
-  std::map<std::uint32_t, std::vector<std::string>> said_by;
+  std::map<std::uint32_t, std::vector<std::string>> reported_by;
   std::map<std::uint32_t, std::string> ended;
   std::shared_ptr<helper> who;
 };
@@ -41,10 +41,10 @@ TEST(eyes_helper, it_is_told_how_to_begin_and_both_speak) {
   heard s("good");
   EXPECT_FALSE(s.who->send(pose{})) << "nothing runs";
   s.who->start(1, {});
-  EXPECT_TRUE(s.wait_for([&] { return s.said_by[1].size() == 1; }));
+  EXPECT_TRUE(s.wait_for([&] { return s.reported_by[1].size() == 1; }));
   EXPECT_TRUE(s.who->send(pose{}));
-  EXPECT_TRUE(s.wait_for([&] { return s.said_by[1].size() == 2; }));
-  EXPECT_EQ(s.said_by[1], (std::vector<std::string>{"0", "1"}));
+  EXPECT_TRUE(s.wait_for([&] { return s.reported_by[1].size() == 2; }));
+  EXPECT_EQ(s.reported_by[1], (std::vector<std::string>{"0", "1"}));
   EXPECT_EQ(s.who->slot().read()->captured_ns, 5);
   EXPECT_TRUE(s.ended.empty());
 }
@@ -79,13 +79,13 @@ TEST(eyes_helper, a_new_run_replaces_one_that_hangs_and_nobody_hears_of_its_end)
 TEST(eyes_helper, what_was_ended_is_started_again) {
   heard s("good");
   s.who->start(1, {});
-  EXPECT_TRUE(s.wait_for([&] { return s.said_by[1].size() == 1; }));
+  EXPECT_TRUE(s.wait_for([&] { return s.reported_by[1].size() == 1; }));
   s.who->end(1);
   s.who->start(2, {});
-  EXPECT_TRUE(s.wait_for([&] { return s.said_by[2].size() == 1; }));
+  EXPECT_TRUE(s.wait_for([&] { return s.reported_by[2].size() == 1; }));
   s.who->end(1); // of somebody who has not heard of it
   EXPECT_TRUE(s.who->send(pose{}));
-  EXPECT_TRUE(s.wait_for([&] { return s.said_by[2].size() == 2; }));
+  EXPECT_TRUE(s.wait_for([&] { return s.reported_by[2].size() == 2; }));
 }
 
 } // namespace helper_test

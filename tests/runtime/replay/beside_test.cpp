@@ -76,7 +76,7 @@ public:
 
   template <class Actor>
   replay_summary replay() {
-    desk bench(1);
+    actor_bench bench(1);
     const auto auditor = bench.actors().add<auditor_actor>({.name = "auditor"}, {}, &seen_);
     (void)bench.actors().add<Actor>({.name = "scale"}, {}, auditor, std::make_shared<weights>());
     EXPECT_TRUE(bench.choose("scale"));

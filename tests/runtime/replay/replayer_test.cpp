@@ -92,7 +92,7 @@ public:
 
   template <class Core>
   replay_summary replay(std::uint64_t run, replay_options options = {}) {
-    desk bench(run);
+    actor_bench bench(run);
     const auto auditor = bench.actors().add<auditor_actor>({.name = "auditor"}, patient(), &seen_);
     (void)bench.actors().add<fragile_ledger<Core>>({.name = "ledger"}, patient(), auditor);
     EXPECT_TRUE(bench.choose("ledger"));

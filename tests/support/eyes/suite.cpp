@@ -150,11 +150,11 @@ camera_view suite_case::view_at(double time_s) const {
   constexpr double step_s = 1e-3;
   camera_view view = still_at(time_s);
   const camera_view before = still_at(time_s - step_s);
-  const camera_view behind = still_at(time_s + step_s);
+  const camera_view after = still_at(time_s + step_s);
   const auto slope = [](double a, double b) { return (b - a) / (2 * step_s); };
-  view.velocity = {slope(before.position.x, behind.position.x), slope(before.position.y, behind.position.y),
-                   slope(before.position.z, behind.position.z)};
-  const vector3 turn = turn_between(before.attitude, behind.attitude);
+  view.velocity = {slope(before.position.x, after.position.x), slope(before.position.y, after.position.y),
+                   slope(before.position.z, after.position.z)};
+  const vector3 turn = turn_between(before.attitude, after.attitude);
   view.rate = {turn.x / (2 * step_s), turn.y / (2 * step_s), turn.z / (2 * step_s)};
   return view;
 }

@@ -46,9 +46,9 @@ TEST(camera_suite, the_ends_of_the_ranges_are_seen_by_held_back_seeds_only) {
 TEST(camera_suite, velocity_and_rate_are_those_of_the_flight) {
   const suite_case flight(3, tier::a, of_size(64, 48));
   const auto before = flight.view_at(1.0);
-  const auto behind = flight.view_at(1.01);
-  EXPECT_NEAR((behind.position.x - before.position.x) / 0.01, before.velocity.x, 0.05);
-  const auto turn = turn_between(before.attitude, behind.attitude);
+  const auto after = flight.view_at(1.01);
+  EXPECT_NEAR((after.position.x - before.position.x) / 0.01, before.velocity.x, 0.05);
+  const auto turn = turn_between(before.attitude, after.attitude);
   EXPECT_NEAR(turn.z / 0.01, before.rate.z, 0.02);
 }
 

@@ -42,7 +42,7 @@ effects gcs_view::on_plan(const plan_taken& m, bool has_looked, instant now) {
   auto how = take(out, m, has_looked, now);
   if (how == verdict::refused && counts(m))
     how = verdict::taken;
-  out.emplace_back(say_to_port{ground_port::plan_judged{m.type, m.plan_id, how}});
+  out.emplace_back(send_to_port{ground_port::plan_judged{m.type, m.plan_id, how}});
   return out;
 }
 
@@ -73,7 +73,7 @@ effects gcs_view::on_cleared(const plan_cleared& m, bool has_looked, instant now
     return out;
   }
   out = m.type == mav_mission_type::fence ? take_fence({}) : take_rally({});
-  out.emplace_back(say_to_port{ground_port::plan_judged{m.type, 0, ground_port::plan_verdict::taken}});
+  out.emplace_back(send_to_port{ground_port::plan_judged{m.type, 0, ground_port::plan_verdict::taken}});
   return out;
 }
 
@@ -255,7 +255,7 @@ effects gcs_view::tell(instant now) {
   if (plan.plan_id != told_plan_id_) {
     if (!plan.is_upload)
       out.emplace_back(
-          say_to_port{ground_port::set_mission{items_on_vehicle(flight_.s, flight_.configured.shows_home)}});
+          send_to_port{ground_port::set_mission{items_on_vehicle(flight_.s, flight_.configured.shows_home)}});
     told_plan_id_ = plan.plan_id;
   }
   const auto progress = progress_shown(flight_.s, flight_.view, plan.plan_id, flight_.configured.shows_home);
@@ -263,7 +263,7 @@ effects gcs_view::tell(instant now) {
     return out;
   told_progress_ = progress;
   told_progress_ns_ = now.now_ns;
-  out.emplace_back(say_to_port{progress});
+  out.emplace_back(send_to_port{progress});
   return out;
 }
 

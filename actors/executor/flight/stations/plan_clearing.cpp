@@ -8,7 +8,7 @@ namespace {
 
 using ground_port::plan_verdict;
 
-say_to_port judged(plan_verdict verdict) {
+send_to_port judged(plan_verdict verdict) {
   return {ground_port::plan_judged{io::mavlink::mav_mission_type::mission, 0, verdict}};
 }
 

@@ -30,7 +30,7 @@ act_answer start_by_arming::start(effects& out, instant now) {
     return {act_verdict::refused, "the mission is not started: " + why};
   // Who watches from the arming on has not seen the mode that it waited in: it comes once more, after the start.
   const auto modes = flight::modes_obeying(flight_.view.owner(), flight::mode_kind::mission);
-  out.emplace_back(say_to_failsafe{failsafe::expect_mode{modes, 0, true}});
+  out.emplace_back(send_to_failsafe{failsafe::expect_mode{modes, 0, true}});
   flight_.wanted.start.emplace();
   flight_.wanted.start->armed_from = awaited.sequence;
   return {act_verdict::done, {}};

@@ -22,7 +22,7 @@ void await(std::vector<station_act>& waiting, const station_act& m) {
 
 void resolve(effects& out, std::vector<station_act>& waiting, const act_answer& answer) {
   for (const auto& each : std::exchange(waiting, {}))
-    out.emplace_back(say_to_port{act_resolved{each.number, answer}});
+    out.emplace_back(send_to_port{act_resolved{each.number, answer}});
 }
 
 } // namespace
@@ -56,7 +56,7 @@ act_answer station_acts::pass(effects& out, const station_act& m, instant now) {
   if (!m.is_acknowledged) {
     accept(out, m);
   } else if (takes_vehicle(m) || flight_.awaited_arming) {
-    out.emplace_back(say_to_failsafe{failsafe::command_pending{pending_commands::answered_within_ns / ns_per_ms}});
+    out.emplace_back(send_to_failsafe{failsafe::command_pending{pending_commands::answered_within_ns / ns_per_ms}});
     if (const auto oldest = flight_.pending.begin(m, now.now_ns))
       accept(out, *oldest);
   }
@@ -94,7 +94,7 @@ void station_acts::on_acknowledged(effects& out, const act_acknowledged& m) {
   if (const auto accepted = flight_.pending.acknowledge(m))
     accept(out, *accepted);
   else if (was_pending && !flight_.pending.is_pending())
-    out.emplace_back(say_to_failsafe{failsafe::command_pending{}});
+    out.emplace_back(send_to_failsafe{failsafe::command_pending{}});
 }
 
 // -- hold -------------------------------------------------------------------------------------------
@@ -180,7 +180,7 @@ void station_acts::look(effects& out, instant now) {
     answer = pass(out, what, now);
   else if (flight_.view.mode() && flight_.view.obeys(mode_kind::hold))
     answer = {act_verdict::done, {}};
-  out.emplace_back(say_to_port{act_resolved{what.number, std::move(answer)}});
+  out.emplace_back(send_to_port{act_resolved{what.number, std::move(answer)}});
 }
 
 // -- arm --------------------------------------------------------------------------------------------

@@ -54,7 +54,7 @@ bool upload_on_ground::look(effects& out, instant now) {
 
 void upload_on_ground::resolve(effects& out, verdict how) {
   const auto what = std::exchange(awaited_, {});
-  out.emplace_back(say_to_port{ground_port::plan_judged{io::mavlink::mav_mission_type::mission, what->plan_id, how}});
+  out.emplace_back(send_to_port{ground_port::plan_judged{io::mavlink::mav_mission_type::mission, what->plan_id, how}});
 }
 
 } // namespace godwit::executor

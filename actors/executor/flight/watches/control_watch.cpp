@@ -88,7 +88,7 @@ void control_watch::begin_start(effects& out) {
   if (flight_.failsafe_status &&
       flight_.failsafe_status->taken_over) { // of a flight before; whoever starts this one hands it over
     flight_.failsafe_status->taken_over = false;
-    out.emplace_back(say_to_failsafe{failsafe::hand_back{}});
+    out.emplace_back(send_to_failsafe{failsafe::hand_back{}});
   }
 }
 
@@ -115,7 +115,7 @@ bool control_watch::check_authority(effects& out, instant now) {
   const auto& failsafe_status = flight_.failsafe_status;
   if (!is_ours_to_lose && flight_.has_person() && failsafe_status && failsafe_status->in_flight &&
       !failsafe_status->taken_over) {
-    say_taken_over(out); // a flight that nobody has handed to us
+    report_taken_over(out); // a flight that nobody has handed to us
     return true;
   }
   if (flight_.s.status.cause == pause_cause::taken_over &&
@@ -201,14 +201,14 @@ void control_watch::yield(effects& out, trigger to, const std::string& reason) {
   if (!GODWIT_PLANTED(act_after_takeover))
     drop_all(out, why);
   if (to != trigger::failsafe_acts && (!flight_.failsafe_status || !flight_.failsafe_status->taken_over))
-    say_taken_over(out);
+    report_taken_over(out);
   phases_.go(out, to, why);
 }
 
-void control_watch::say_taken_over(effects& out) {
+void control_watch::report_taken_over(effects& out) {
   if (flight_.failsafe_status)
     flight_.failsafe_status->taken_over = true;
-  out.emplace_back(say_to_failsafe{failsafe::taken_over{}});
+  out.emplace_back(send_to_failsafe{failsafe::taken_over{}});
 }
 
 void control_watch::find_taken(effects& out) {
@@ -226,7 +226,7 @@ void control_watch::give_to_station(effects& out, const station_act& m) {
     yield(out, stands ? trigger::person_acts_on_ground : trigger::person_took_over,
           name_of(m.by) + " has the vehicle (" + m.what + "); nothing is sent until it is handed back");
   else if (flight_.failsafe_status && !flight_.failsafe_status->taken_over)
-    say_taken_over(out);
+    report_taken_over(out);
   if (is_new || flight_.s.person != m.by)
     out.emplace_back(note{station_took_over{m.by}});
 }
@@ -239,7 +239,7 @@ bool control_watch::may_hand_back(const station& by) const {
 bool control_watch::take_back(effects& out) {
   if (!std::exchange(flight_.wanted.hand_back, false) || !flight_.has_person())
     return false;
-  out.emplace_back(say_to_failsafe{failsafe::hand_back{}});
+  out.emplace_back(send_to_failsafe{failsafe::hand_back{}});
   if (flight_.failsafe_status) { // what still holds then is told anew
     flight_.failsafe_status->taken_over = false;
     flight_.failsafe_status->reacts.reset();

@@ -58,7 +58,7 @@ private:
   void drop_all(effects& out, const std::string& why); // what is under way, and what is wanted
   [[nodiscard]] std::string left_armed() const;
   void yield(effects& out, trigger to, const std::string& reason);
-  void say_taken_over(effects& out);
+  void report_taken_over(effects& out);
 
   flight_context& flight_;
   phase_machine& phases_;

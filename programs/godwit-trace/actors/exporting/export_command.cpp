@@ -54,7 +54,7 @@ exit_code export_to(const export_arguments& given, console& to, output& out) {
       made->take(out.text(), each);
   made->end(out.text());
   out.flush();
-  say_losses((*trace)->reader, to);
+  report_losses((*trace)->reader, to);
   if (made->left_out() > 0)
     to.say("left out, because " + std::to_string(limit) + " is the bound of " + given.form + ": " +
            std::to_string(made->left_out()) + "; --from, --to and --actor choose a part, --limit raises the bound");

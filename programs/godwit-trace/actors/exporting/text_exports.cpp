@@ -186,7 +186,7 @@ std::unique_ptr<exporter> make_sequence(const runtime::name_table& names, std::u
 
 namespace {
 
-// Microseconds with nanoseconds behind the point, as the format wants them. A double of so large a number is not exact.
+// Microseconds with nanoseconds after the point, as the format wants them. A double of so large a number is not exact.
 std::string microseconds(std::int64_t ns) {
   std::array<char, 64> text{};
   const int size =

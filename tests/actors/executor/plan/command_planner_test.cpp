@@ -215,7 +215,7 @@ TEST(command_planner, what_is_waited_at_places_counts_in_each_round_as_this_vehi
   mission.items.insert(mission.items.end() - 1, act("last", 93, 2));
   EXPECT_EQ(build_plans(mission, px4)->front().waits_s, 3 * (5 + 7 + 11) + 2);
   EXPECT_EQ(build_plans(mission, copter)->front().waits_s, 3 * (5 + 7) + 2);
-  auto rest = after_rounds(4, 1); // at b: a and the waits behind it once more
+  auto rest = after_rounds(4, 1); // at b: a and the waits after it once more
   EXPECT_EQ(build_plans(mission, in_the_air(px4), rest)->front().waits_s, (5 + 7 + 11) + 2);
   mission.items[2] = act("delay", 93, -1);
   EXPECT_EQ(build_plans(mission, px4)->front().waits_s, 3 * (5 + 11) + 2) << "until a time of day";
@@ -239,7 +239,7 @@ TEST(command_planner, a_rest_whose_rounds_are_not_known_is_refused_with_the_item
       "again from item 'a', or take the jump out.";
   EXPECT_EQ(why_not(looping(), in_the_air(px4), after_rounds(2, 1, false)), why);
   EXPECT_EQ(why_not(looping(), in_the_air(px4), after_rounds(1, 1, false)), why) << "also at the beginning of the loop";
-  EXPECT_EQ(why_not(looping(), in_the_air(px4), after_rounds(5, 1, false)), "") << "behind it nobody asks";
+  EXPECT_EQ(why_not(looping(), in_the_air(px4), after_rounds(5, 1, false)), "") << "after it nobody asks";
   auto inner = looping();
   inner.items.insert(inner.items.begin() + 5, mission::jump{"outer", "a", 1});
   EXPECT_EQ(why_not(inner, in_the_air(copter), after_rounds(2, 1)), why)

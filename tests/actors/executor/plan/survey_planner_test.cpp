@@ -88,7 +88,7 @@ TEST(survey_planner, a_line_is_done_at_its_end_and_not_before) {
     const auto done = [&](int sequence) { return lines_done_at(survey, static_cast<std::uint16_t>(sequence)); };
     EXPECT_EQ(done(entry), 0U);
     EXPECT_EQ(done(entry + 2), 0U) << "on the line";
-    EXPECT_EQ(done(entry + 4), 1U) << "behind it";
+    EXPECT_EQ(done(entry + 4), 1U) << "after it";
     EXPECT_EQ(done(entry + 2 * survey.items_per_line + 2), 2U);
     EXPECT_EQ(done(entry + 3 * survey.items_per_line), 3U);
   }

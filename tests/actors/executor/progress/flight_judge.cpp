@@ -28,7 +28,7 @@ void flight_judge::end_generation() {
   for (auto i = ended.start_position; i < items.size(); ++i)
     fail_if(items[i].last_nav_sequence && *items[i].last_nav_sequence < ended.seen_at &&
                 vehicle_.has_flown(ended.run, i) && !ended.reached.contains(i),
-            "the vehicle flew an item and was seen behind it, and it is not reported");
+            "the vehicle flew an item and was seen after it, and it is not reported");
 }
 
 void flight_judge::take(const assignment_answered& answer) {
@@ -46,7 +46,7 @@ void flight_judge::take(const mission::progress_report& report) {
   log_.push_back(text_of(report));
   fail_if(report.report_no != reports_.size() + 1, "report_no has a gap");
   fail_if(!reports_.empty() && report.generation < reports_.back().generation, "a report of an old generation");
-  fail_if(!generations_.empty() && report.generation < generations_.rbegin()->first, "a report behind its cut-over");
+  fail_if(!generations_.empty() && report.generation < generations_.rbegin()->first, "a report after its cut-over");
   reports_.push_back(report);
   if (report.item_id)
     take_item(report);

@@ -14,9 +14,9 @@ using godwit::runtime::child_entry;
 using godwit::runtime::process_end;
 using godwit::runtime::restart_policy;
 
-const std::vector<std::string> all{"vehicle_link", "failsafe",       "mapobjects_store", "mission_client",
-                                   "executor",     "ground_port",    "landing_watch",    "sightings",
-                                   "control_desk", "operator_bridge"};
+const std::vector<std::string> all{"vehicle_link",    "failsafe",       "mapobjects_store", "mission_client",
+                                   "executor",        "ground_port",    "landing_watch",    "sightings",
+                                   "control_handler", "operator_bridge"};
 constexpr part parts[] = {part::ground, part::flight, part::after};
 
 std::map<std::string, child_entry> by_name(part now, const circumstances& process = {}, bool scans = false) {
@@ -44,7 +44,7 @@ TEST(supervision_table, what_flies_is_wanted_and_essential_in_each_part) {
 // As for what flies, and by the same table: what it runs with is there, and nobody asks for the rest.
 TEST(supervision_table, a_run_on_the_ground_needs_itself_and_its_vehicle) {
   const std::vector<std::string> run{"vehicle_link", "mapobjects_store", "mission_client", "ground_run",
-                                     "control_desk"};
+                                     "control_handler"};
   for (const auto& each : table_of(part::ground, {}, run, false)) {
     EXPECT_TRUE(each.wanted) << each.name;
     EXPECT_EQ(each.policy.essential, each.name == "ground_run" || each.name == "vehicle_link") << each.name;
@@ -61,7 +61,7 @@ TEST(supervision_table, a_child_is_added_with_what_the_table_says_on_the_ground)
 }
 
 TEST(supervision_table, only_who_shows_something_is_dispensable) {
-  const std::set<std::string> shows{"health", "telemetry_stream", "fleet_link", "view_desk", "mission_desk"};
+  const std::set<std::string> shows{"health", "telemetry_stream", "fleet_link", "view_handler", "mission_handler"};
   for (const auto& [which, text] : godwit::io::enum_table<child_name>)
     EXPECT_EQ(is_dispensable(text), shows.contains(std::string(text))) << text;
 }
@@ -75,7 +75,7 @@ TEST(supervision_table, the_mission_client_is_essential_only_while_it_delivers_a
 TEST(supervision_table, no_other_child_is_worth_the_process) {
   for (const auto now : parts)
     for (const auto* child :
-         {"mapobjects_store", "ground_port", "landing_watch", "sightings", "control_desk", "operator_bridge"}) {
+         {"mapobjects_store", "ground_port", "landing_watch", "sightings", "control_handler", "operator_bridge"}) {
       EXPECT_TRUE(by_name(now).at(child).wanted) << child;
       EXPECT_FALSE(by_name(now).at(child).policy.essential) << child;
     }

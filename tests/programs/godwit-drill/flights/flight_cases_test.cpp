@@ -80,12 +80,12 @@ TEST(process_cases, are_both_sides_of_each_commit) {
 TEST(process_cases, a_kill_in_flight_is_recovered_from_and_loses_nothing) {
   constexpr std::array<std::uint64_t, 4> commits{0, 40, 0, 0};
   const auto all = process_cases(every_vehicle, commits);
-  const auto outcome = named(all, "px4/commit_40/behind").fly({});
+  const auto outcome = named(all, "px4/commit_40/after").fly({});
   EXPECT_TRUE(outcome.held()) << outcome.flaws.front() << '\n' << outcome.story;
   EXPECT_EQ(outcome.kills, 1U);
   ASSERT_TRUE(outcome.recovery_ms);
   EXPECT_GE(*outcome.recovery_ms, 300) << "the next process begins no earlier";
-  EXPECT_FALSE(named(all, "px4/commit_40/behind").fly({.planted = planted_flaw::double_report}).held());
+  EXPECT_FALSE(named(all, "px4/commit_40/after").fly({.planted = planted_flaw::double_report}).held());
 }
 
 TEST(people_cases, are_each_mode_but_the_missions_in_each_part_of_a_flight) {

@@ -66,11 +66,11 @@ RC_GTEST_PROP(camera_view, a_quaternion_gives_its_rotation_back, ()) {
   const auto angle = [] { return *rc::gen::inRange(-179, 180) * radian; };
   const rotation before = rotation_of(angle(), angle(), angle());
   const auto q = quaternion_of(before);
-  const rotation behind = rotation_of_quaternion(q[0], q[1], q[2], q[3]);
+  const rotation after = rotation_of_quaternion(q[0], q[1], q[2], q[3]);
   for (std::size_t row = 0; row < 3; ++row) {
-    RC_ASSERT(std::abs(before[row].x - behind[row].x) < 1e-9);
-    RC_ASSERT(std::abs(before[row].y - behind[row].y) < 1e-9);
-    RC_ASSERT(std::abs(before[row].z - behind[row].z) < 1e-9);
+    RC_ASSERT(std::abs(before[row].x - after[row].x) < 1e-9);
+    RC_ASSERT(std::abs(before[row].y - after[row].y) < 1e-9);
+    RC_ASSERT(std::abs(before[row].z - after[row].z) < 1e-9);
   }
 }
 

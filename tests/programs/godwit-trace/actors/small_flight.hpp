@@ -43,7 +43,7 @@ inline std::vector<trace_row> first_run() {
        .type = "operator.word",
        .body = R"({"verb":"start","report":0,"by":"ann","place":null,"after":""})",
        .id = 6,
-       .sender = "control_desk",
+       .sender = "control_handler",
        .duration_ns = 40'000},
       {.at_ms = 11,
        .actor = "vehicle_link",

@@ -78,7 +78,7 @@ TEST_F(trace_commands, show_prints_each_delivery_of_a_message_whole) {
 TEST_F(trace_commands, flow_draws_what_led_to_a_message_and_what_came_of_it) {
   const auto lines = lines_of(run(add_flow_command, {"7", "--run", "1"}).out);
   ASSERT_EQ(lines.size(), 3U);
-  EXPECT_NE(lines[0].find(" - executor <- control_desk operator.word #6"), std::string::npos) << lines[0];
+  EXPECT_NE(lines[0].find(" - executor <- control_handler operator.word #6"), std::string::npos) << lines[0];
   EXPECT_NE(lines[1].find("   > vehicle_link <- executor"), std::string::npos) << lines[1];
   EXPECT_NE(lines[2].find("     - executor <- vehicle_link vehicle_link.command_outcome #8"), std::string::npos);
   EXPECT_NE(run(add_flow_command, {"100"}).words.find("--run"), std::string::npos) << "two runs have it";

@@ -16,7 +16,7 @@
 #include "programs/godwit-drill/flight_simulation/flight_people.hpp"
 #include "programs/godwit-drill/flight_simulation/scan_mission.hpp"
 #include "programs/godwit-drill/flight_simulation/short_mission.hpp"
-#include "programs/godwit-trace/replay/flight_desk.hpp"
+#include "programs/godwit-trace/replay/flight_bench.hpp"
 #include "programs/godwit-trace/replay/replay_text.hpp"
 #include "tests/support/run_options.hpp"
 
@@ -62,11 +62,11 @@ public:
 
   runtime::replay_summary replay(const std::string& actor, std::uint64_t run, runtime::replay_options options = {}) {
     options.monotonic_to_utc_ns = daemon_process::wall_began_ns;
-    auto desk = flight_desk::make(actor, flight.outside().settings, {run, flight.record().seed_of(run)});
-    EXPECT_TRUE(desk.has_value()) << desk.error();
+    auto bench = flight_bench::make(actor, flight.outside().settings, {run, flight.record().seed_of(run)});
+    EXPECT_TRUE(bench.has_value()) << bench.error();
     auto& record = runs.at({actor, run});
     record.finish();
-    return runtime::replayer((*desk)->bench(), record, options).run([](const runtime::replay_step&) {});
+    return runtime::replayer((*bench)->bench(), record, options).run([](const runtime::replay_step&) {});
   }
 
   [[nodiscard]] bool has_run(const std::string& actor, std::uint64_t run) const {
@@ -231,17 +231,17 @@ TEST(flight_replay_settings, others_deviate) {
   EXPECT_EQ(made.replay("executor", 1).deviations.size(), 1U);
 }
 
-TEST(flight_desk, an_actor_that_can_not_be_replayed_is_refused_with_the_reason) {
+TEST(flight_bench, an_actor_that_can_not_be_replayed_is_refused_with_the_reason) {
   flight_simulation flight({});
   auto settings = flight.outside().settings;
   settings.signing_key_file = "vehicle.key";
   for (const auto* actor : {"vehicle_link", "mapobjects_store", "guardian"}) {
-    const auto refused = flight_desk::make(actor, settings, {1, 1});
+    const auto refused = flight_bench::make(actor, settings, {1, 1});
     ASSERT_FALSE(refused.has_value());
     EXPECT_NE(refused.error().find(std::string(actor) + " can not be replayed: "), std::string::npos)
         << refused.error();
   }
-  const auto unknown = flight_desk::make("pilot", settings, {1, 1});
+  const auto unknown = flight_bench::make("pilot", settings, {1, 1});
   ASSERT_FALSE(unknown.has_value());
   EXPECT_NE(unknown.error().find("executor, failsafe"), std::string::npos) << unknown.error();
 }

@@ -96,7 +96,7 @@ protected:
 };
 
 // Asks the executor, as the real one does, or is silent.
-class bridge_stand_in final : public runtime::actor_base<operator_bridge::desk_handle> {
+class bridge_stand_in final : public runtime::actor_base<operator_bridge::handler_handle> {
 public:
   using executor_handle = runtime::mailbox<runtime::asks<operators::command, operators::answer>>;
   bridge_stand_in(runtime::spawn_context context, const bool* answers, executor_handle executor,
@@ -167,7 +167,7 @@ struct process {
     }
     if (has_service)
       others.client = all;
-    who = world.actors().add<request_handler>({.name = "control_desk"}, {}, others, box);
+    who = world.actors().add<request_handler>({.name = "control_handler"}, {}, others, box);
     world.start();
     world.run_until_idle();
   }
@@ -199,7 +199,7 @@ TEST(control_requests, a_status_is_the_word_of_all_parts) {
 TEST(control_requests, a_status_has_each_actor_as_the_guardian_sees_it) {
   const auto actors = process(true).ask({}).at("actors").at("list");
   ASSERT_EQ(actors.size(), 3U);
-  EXPECT_EQ(actors[2].at("name"), "control_desk");
+  EXPECT_EQ(actors[2].at("name"), "control_handler");
   EXPECT_EQ(actors[2].at("phase"), "running");
   EXPECT_EQ(actors[2].at("incarnation"), 1);
   EXPECT_EQ(actors[2].at("health"), "green");

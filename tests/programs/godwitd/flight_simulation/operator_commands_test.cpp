@@ -99,12 +99,12 @@ TEST_P(operator_commands, a_throw_at_any_point_of_operator_bridge_has_no_command
 TEST_P(operator_commands, a_kill_at_any_commit_of_a_command_has_it_not_obeyed_twice) {
   const std::uint64_t stride = is_full_run() ? 1 : 3;
   for (const auto where : {side::before, side::after})
-    for (std::uint64_t behind = 1; behind <= 10; behind += stride) {
-      SCOPED_TRACE("commit " + std::to_string(behind) + (where == side::before ? ", before" : ", behind"));
-      flight_simulation flight({.who = GetParam(), .seed = behind});
+    for (std::uint64_t commit = 1; commit <= 10; commit += stride) {
+      SCOPED_TRACE("commit " + std::to_string(commit) + (where == side::before ? ", before" : ", after"));
+      flight_simulation flight({.who = GetParam(), .seed = commit});
       fly(flight);
       hold(flight, "h1");
-      flight.kill_process_at_commit(flight.commits() + behind, where);
+      flight.kill_process_at_commit(flight.commits() + commit, where);
       EXPECT_TRUE(say(flight, command_kind::resume, "r1")) << flight.story();
       expect_no_second_resume(flight, "r1");
       if (HasFailure())

@@ -85,7 +85,7 @@ TEST_P(upload_crash, a_kill_at_any_commit_of_an_assignment_in_flight_answers_onc
   for (std::uint64_t n = 1; n <= most_commits; ++n) {
     bool is_over = false;
     for (const auto where : {side::before, side::after}) {
-      SCOPED_TRACE("commit " + std::to_string(n) + (where == side::before ? " before" : " behind"));
+      SCOPED_TRACE("commit " + std::to_string(n) + (where == side::before ? " before" : " after"));
       flight_simulation flight({.who = GetParam(), .seed = n});
       ASSERT_TRUE(flight.run_until([&] { return has_been_at(flight, "w1"); }, 120)) << flight.story();
       assign(flight);

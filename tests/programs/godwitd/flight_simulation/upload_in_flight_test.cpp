@@ -115,7 +115,7 @@ TEST_P(upload_at_port, a_kill_at_any_commit_of_it_moves_nothing_and_what_is_said
   int kills = 0;
   for (std::uint64_t n = 1; n <= most_commits; ++n) {
     const auto where = n % 2 == 0 ? side::before : side::after;
-    SCOPED_TRACE("commit " + std::to_string(n) + (where == side::before ? " before" : " behind"));
+    SCOPED_TRACE("commit " + std::to_string(n) + (where == side::before ? " before" : " after"));
     flight_simulation flight(by_stations(n));
     ASSERT_TRUE(fly_and_pause(flight));
     flight.kill_process_at_commit(flight.commits() + n, where);

@@ -24,7 +24,7 @@
 #include "programs/godwitd/operator_port/mission_api.hpp"
 #include "programs/godwitd/operator_port/operator_api.hpp"
 #include "programs/godwitd/operator_port/router.hpp"
-#include "programs/godwitd/operator_port/view_desk.hpp"
+#include "programs/godwitd/operator_port/view_handler.hpp"
 #include "runtime/simulation/simulation.hpp"
 #include "tests/programs/godwitd/scratch.hpp"
 #include "tests/support/audit_rows.hpp"
@@ -187,22 +187,23 @@ public:
     points = world.actors().add<scan_stand_in>({.name = "scan_controller"}, {}, &decided);
     const auto failsafe = world.actors().add<failsafe_stand_in>({.name = "failsafe"}, {}, &overridden);
     answers = std::make_shared<waiting_answers>(wanted.is_secure);
-    desk = world.actors().add<operator_desk>(
-        {.name = "operator_desk"}, {},
-        desk_peers{bridge, executor, points, failsafe, [this] { return pictured; },
-                   [this](const auto& query, auto then) { then(godwit::audit_support::audit_rows(disk).read(query)); }},
+    handler = world.actors().add<operator_handler>(
+        {.name = "operator_handler"}, {},
+        handler_peers{
+            bridge, executor, points, failsafe, [this] { return pictured; },
+            [this](const auto& query, auto then) { then(godwit::audit_support::audit_rows(disk).read(query)); }},
         answers);
     const auto flight = world.actors().add<flight_stand_in>({.name = "flight"}, {}, &is_in_flight, &missions);
-    const auto uploads = world.actors().add<mission_desk>(
-        {.name = "mission_desk"}, {}, mission_peers{bridge, flight, flight}, answers, wanted.why_no_missions);
+    const auto uploads = world.actors().add<mission_handler>(
+        {.name = "mission_handler"}, {}, mission_peers{bridge, flight, flight}, answers, wanted.why_no_missions);
     objects.list.push_back({"person", {47.4, 8.5, {}}, 1'795'459'713'049'000'000, 0.9, true});
     objects.counted = 1;
     const auto map = world.actors().add<map_stand_in>({.name = "map"}, {}, &objects, &looked_at);
-    const auto views = world.actors().add<view_desk>({.name = "view_desk"}, {}, executor::view_handle(flight),
-                                                     mapobjects_store::viewer_handle(map), answers);
+    const auto views = world.actors().add<view_handler>({.name = "view_handler"}, {}, executor::view_handle(flight),
+                                                        mapobjects_store::viewer_handle(map), answers);
     world.start();
     world.run_until_idle();
-    const auto tell = [this](api_request asked) { world.tell(desk, std::move(asked)); };
+    const auto tell = [this](api_request asked) { world.tell(handler, std::move(asked)); };
     api = std::make_shared<operator_api>(answers, *keeper, tell);
     auto list = routes_of(api);
     std::ranges::move(view_routes(answers, [this, views](view_request asked) { world.tell(views, asked); }),
@@ -313,7 +314,7 @@ public:
   };
   operator_bridge::own_handle bridge;
   scan_controller::operator_handle points;
-  desk_inlet desk;
+  request_inlet handler;
   std::unique_ptr<accounts::account_keeper> keeper;
   std::shared_ptr<waiting_answers> answers;
   std::shared_ptr<operator_api> api;

@@ -18,7 +18,7 @@
 #include "programs/godwitd/operator_port/page_files.hpp"
 #include "programs/godwitd/operator_port/stream_api.hpp"
 #include "programs/godwitd/operator_port/view_api.hpp"
-#include "programs/godwitd/operator_port/view_desk.hpp"
+#include "programs/godwitd/operator_port/view_handler.hpp"
 #include "tests/programs/godwitd/operator_port/api_world.hpp"
 
 namespace openapi_test {

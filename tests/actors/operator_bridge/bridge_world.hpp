@@ -18,9 +18,9 @@ inline operators::principal local() {
   return {"desk", operators::role::engineer, std::string(operators::local_session)};
 }
 
-class bridge_desk {
+class bridge_world {
 public:
-  bridge_desk() { core_.emplace(set, durable, now); }
+  bridge_world() { core_.emplace(set, durable, now); }
 
   // -- who is there
   operators::principal log_in(const std::string& name, operators::role as = operators::role::operator_) {

@@ -1,4 +1,4 @@
-#include "programs/godwitd/operator_port/view_desk.hpp"
+#include "programs/godwitd/operator_port/view_handler.hpp"
 
 #include <algorithm>
 #include <array>
@@ -67,13 +67,13 @@ tl::expected<mapobjects_store::get_objects, std::string> read_objects_query(std:
   return result;
 }
 
-view_desk::view_desk(runtime::spawn_context context, executor::view_handle flight, mapobjects_store::viewer_handle map,
-                     std::shared_ptr<waiting_answers> answers)
+view_handler::view_handler(runtime::spawn_context context, executor::view_handle flight,
+                           mapobjects_store::viewer_handle map, std::shared_ptr<waiting_answers> answers)
     : actor_base(std::move(context)), flight_(std::move(flight)), map_(std::move(map)), answers_(std::move(answers)) {}
 
-view_desk::~view_desk() = default;
+view_handler::~view_handler() = default;
 
-view_desk::behavior_type view_desk::handlers() {
+view_handler::behavior_type view_handler::handlers() {
   return {on<view_request>([this](const view_request& m) {
     switch (m.what) {
     case view_kind::plan:
@@ -87,7 +87,7 @@ view_desk::behavior_type view_desk::handlers() {
 }
 
 template <class Question, class View>
-void view_desk::show(std::uint64_t ticket) {
+void view_handler::show(std::uint64_t ticket) {
   ask(
       flight_, answer_timeout, Question{},
       [this, ticket](const View& view) { answers_->resolve(ticket, {.body = io::to_json(view)}); },
@@ -97,7 +97,7 @@ void view_desk::show(std::uint64_t ticket) {
       });
 }
 
-void view_desk::show_objects(const view_request& asked) {
+void view_handler::show_objects(const view_request& asked) {
   ask(
       map_, answer_timeout, asked.objects,
       [this, ticket = asked.ticket](const mapobjects_store::shown_objects& seen) {

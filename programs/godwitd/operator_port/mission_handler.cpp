@@ -1,4 +1,4 @@
-#include "programs/godwitd/operator_port/mission_desk.hpp"
+#include "programs/godwitd/operator_port/mission_handler.hpp"
 
 #include <utility>
 
@@ -9,26 +9,27 @@ namespace godwit::operator_port {
 using operator_bridge::verdict;
 using operators::principal;
 
-mission_desk::mission_desk(runtime::spawn_context context, mission_peers others,
-                           std::shared_ptr<waiting_answers> answers, std::string why_not)
+mission_handler::mission_handler(runtime::spawn_context context, mission_peers others,
+                                 std::shared_ptr<waiting_answers> answers, std::string why_not)
     : actor_base(std::move(context)), others_(std::move(others)), answers_(std::move(answers)),
       why_not_(std::move(why_not)) {}
 
-mission_desk::~mission_desk() = default;
+mission_handler::~mission_handler() = default;
 
-mission_desk::behavior_type mission_desk::handlers() {
+mission_handler::behavior_type mission_handler::handlers() {
   return {on<mission_upload>([this](const mission_upload& m) { take(std::make_shared<const mission_upload>(m)); })};
 }
 
 template <class Handle, class Question, class OnAnswer>
-void mission_desk::ask_about(const mission_upload& asked, const Handle& whom, Question question, OnAnswer on_answer) {
+void mission_handler::ask_about(const mission_upload& asked, const Handle& whom, Question question,
+                                OnAnswer on_answer) {
   ask(whom, answer_timeout, std::move(question), std::move(on_answer),
       [this, ticket = asked.ticket](const runtime::ask_error& why) {
         answers_->resolve(ticket, problem(504, "the mission was not taken: nobody answers (" + why.what + ")"));
       });
 }
 
-void mission_desk::take(const upload_ptr& asked) {
+void mission_handler::take(const upload_ptr& asked) {
   ask_about(*asked, others_.bridge, operator_bridge::identify{asked->token_hash},
             [this, asked](const operator_bridge::identity& who) {
               if (!who.is_known)
@@ -41,7 +42,7 @@ void mission_desk::take(const upload_ptr& asked) {
             });
 }
 
-void mission_desk::look_at_control(const upload_ptr& asked, const principal& who) {
+void mission_handler::look_at_control(const upload_ptr& asked, const principal& who) {
   ask_about(*asked, others_.bridge, operator_bridge::get_operators{},
             [this, asked, who](const operator_bridge::operators_view& view) {
               if (!view.control)
@@ -52,7 +53,7 @@ void mission_desk::look_at_control(const upload_ptr& asked, const principal& who
             });
 }
 
-void mission_desk::look_at_flight(const upload_ptr& asked, const principal& who) {
+void mission_handler::look_at_flight(const upload_ptr& asked, const principal& who) {
   ask_about(*asked, others_.flight, executor::get_flight{}, [this, asked, who](const executor::flight_status& flight) {
     if (flight.in_flight)
       return refuse(*asked, who, verdict::refused, "a flight is under way; another mission is taken on the ground");
@@ -61,7 +62,7 @@ void mission_desk::look_at_flight(const upload_ptr& asked, const principal& who)
 }
 
 // Were it to take off in between: the mission has another id, and waits until that flight is over.
-void mission_desk::hand_over(const upload_ptr& asked, const principal& who) {
+void mission_handler::hand_over(const upload_ptr& asked, const principal& who) {
   mission_client::mission_loaded loaded;
   loaded.document = asked->mission;
   tell(others_.missions, loaded);
@@ -71,7 +72,8 @@ void mission_desk::hand_over(const upload_ptr& asked, const principal& who) {
   answers_->resolve(asked->ticket, json_answer(200, {{"mission_id", id}, {"items", items}}));
 }
 
-void mission_desk::refuse(const mission_upload& asked, const principal& who, verdict why, const std::string& sentence) {
+void mission_handler::refuse(const mission_upload& asked, const principal& who, verdict why,
+                             const std::string& sentence) {
   tell(others_.bridge, operator_bridge::audit_note{who, "mission", std::string(io::name_of(why)), sentence});
   answers_->resolve(asked.ticket, answer_of({}, operator_bridge::command_answer{why, sentence}));
 }

@@ -1,4 +1,4 @@
-#include "programs/godwitd/operator_port/operator_desk.hpp"
+#include "programs/godwitd/operator_port/operator_handler.hpp"
 
 #include <utility>
 
@@ -21,17 +21,17 @@ bool is_over(const operator_bridge::identity& each, std::int64_t now_ns) {
 
 } // namespace
 
-operator_desk::operator_desk(runtime::spawn_context context, desk_peers others,
-                             std::shared_ptr<waiting_answers> answers)
+operator_handler::operator_handler(runtime::spawn_context context, handler_peers others,
+                                   std::shared_ptr<waiting_answers> answers)
     : actor_base(std::move(context)), others_(std::move(others)), answers_(std::move(answers)) {}
 
-operator_desk::~operator_desk() = default;
+operator_handler::~operator_handler() = default;
 
-operator_desk::behavior_type operator_desk::handlers() {
+operator_handler::behavior_type operator_handler::handlers() {
   return {on<api_request>([this](const api_request& m) { take(m); })};
 }
 
-void operator_desk::take(const api_request& asked) {
+void operator_handler::take(const api_request& asked) {
   switch (asked.what) {
   case api_act::open_session:
     return ask_bridge(asked, answer_timeout,
@@ -51,8 +51,8 @@ void operator_desk::take(const api_request& asked) {
 }
 
 template <class Question, class OnAnswer>
-void operator_desk::ask_bridge(const api_request& asked, std::chrono::milliseconds patience, Question question,
-                               OnAnswer on_answer) {
+void operator_handler::ask_bridge(const api_request& asked, std::chrono::milliseconds patience, Question question,
+                                  OnAnswer on_answer) {
   if (is_stop(asked))
     patience = operator_bridge::stop_patience;
   ask(others_.bridge, patience, std::move(question), std::move(on_answer),
@@ -65,7 +65,7 @@ void operator_desk::ask_bridge(const api_request& asked, std::chrono::millisecon
       });
 }
 
-void operator_desk::identify(const api_request& asked) {
+void operator_handler::identify(const api_request& asked) {
   ask_bridge(asked, answer_timeout, operator_bridge::identify{asked.token_hash},
              [this, asked](const operator_bridge::identity& who) {
                remember(asked.token_hash, who);
@@ -79,7 +79,7 @@ void operator_desk::identify(const api_request& asked) {
              });
 }
 
-void operator_desk::remember(const std::string& token_hash, const operator_bridge::identity& who) {
+void operator_handler::remember(const std::string& token_hash, const operator_bridge::identity& who) {
   if (!who.is_known) {
     identified_.erase(token_hash);
     return;
@@ -91,13 +91,13 @@ void operator_desk::remember(const std::string& token_hash, const operator_bridg
 }
 
 // operator_bridge would let each operator hold the vehicle and bring it home; it does not answer.
-bool operator_desk::may_stop(const api_request& asked) {
+bool operator_handler::may_stop(const api_request& asked) {
   const auto found = identified_.find(asked.token_hash);
   return is_stop(asked) && found != identified_.end() && found->second.who.role >= operators::role::operator_ &&
          !is_over(found->second, wall_ns());
 }
 
-void operator_desk::stop_directly(const api_request& asked) {
+void operator_handler::stop_directly(const api_request& asked) {
   const auto who = identified_.at(asked.token_hash).who;
   auto said = asked.said.what;
   said.by = who.name;
@@ -118,7 +118,7 @@ void operator_desk::stop_directly(const api_request& asked) {
       });
 }
 
-void operator_desk::take_known(const api_request& asked, const operator_bridge::identity& who) {
+void operator_handler::take_known(const api_request& asked, const operator_bridge::identity& who) {
   switch (asked.what) {
   case api_act::command:
     return command(asked, who.who);
@@ -143,7 +143,7 @@ void operator_desk::take_known(const api_request& asked, const operator_bridge::
   }
 }
 
-void operator_desk::command(const api_request& asked, const principal& who) {
+void operator_handler::command(const api_request& asked, const principal& who) {
   auto said = asked.said;
   said.by = who;
   ask_bridge(asked, command_timeout, std::move(said), [this, asked](const operator_bridge::command_answer& answer) {
@@ -151,21 +151,21 @@ void operator_desk::command(const api_request& asked, const principal& who) {
   });
 }
 
-void operator_desk::view_control(const api_request& asked, const principal& who) {
+void operator_handler::view_control(const api_request& asked, const principal& who) {
   ask_bridge(asked, answer_timeout, operator_bridge::get_operators{},
              [this, asked, who](const operator_bridge::operators_view& view) {
                answers_->resolve(asked.ticket, answer_of(view, who));
              });
 }
 
-void operator_desk::change_control(const api_request& asked, const principal& who) {
+void operator_handler::change_control(const api_request& asked, const principal& who) {
   ask_bridge(asked, answer_timeout, operator_bridge::change_control{who, asked.act, asked.to},
              [this, asked](const operator_bridge::control_answer& answer) {
                answers_->resolve(asked.ticket, answer_of(answer));
              });
 }
 
-void operator_desk::read_audit(const api_request& asked, const principal& who) {
+void operator_handler::read_audit(const api_request& asked, const principal& who) {
   ask_bridge(asked, answer_timeout, operator_bridge::read_audit{who},
              [this, asked](const operator_bridge::audit_leave& answer) {
                if (!answer.refusal.empty())
@@ -178,7 +178,7 @@ void operator_desk::read_audit(const api_request& asked, const principal& who) {
 }
 
 // While no mission with scanning flies there is nobody to ask, and nothing to decide.
-void operator_desk::list_points(const api_request& asked) {
+void operator_handler::list_points(const api_request& asked) {
   ask(
       others_.points, answer_timeout, scan_controller::get_points{},
       [this, asked](const scan_controller::points& seen) {
@@ -193,15 +193,15 @@ void operator_desk::list_points(const api_request& asked) {
 }
 
 // Of what operator_bridge has not written itself.
-void operator_desk::answer_and_note(const api_request& asked, const principal& who, const std::string& what,
-                                    const operator_bridge::command_answer& answer) {
+void operator_handler::answer_and_note(const api_request& asked, const principal& who, const std::string& what,
+                                       const operator_bridge::command_answer& answer) {
   tell(others_.bridge, operator_bridge::audit_note{who, what, std::string(io::name_of(answer.verdict)), answer.reason});
   answers_->resolve(asked.ticket, answer_of(asked.said.id, answer));
 }
 
 // What is no command has its rules. ACT ends with the answer, which is a row of the audit.
-void operator_desk::with_leave(const api_request& asked, const principal& who, const std::string& what,
-                               std::function<void(const end_act& end)> act) {
+void operator_handler::with_leave(const api_request& asked, const principal& who, const std::string& what,
+                                  std::function<void(const end_act& end)> act) {
   const auto end = [this, asked, who, what](const operator_bridge::command_answer& answer) {
     answer_and_note(asked, who, what, answer);
   };
@@ -214,7 +214,7 @@ void operator_desk::with_leave(const api_request& asked, const principal& who, c
              });
 }
 
-void operator_desk::decide_point(const api_request& asked, const principal& who) {
+void operator_handler::decide_point(const api_request& asked, const principal& who) {
   auto decided = asked.decided;
   decided.by = who.name;
   const auto what = std::string(io::name_of(decided.says)) + " point " + std::to_string(decided.number);
@@ -235,7 +235,7 @@ void operator_desk::decide_point(const api_request& asked, const principal& who)
 
 // As at the control socket it needs an engineer, and here, where several operators are, control too. The reason is
 // part of what is in the audit.
-void operator_desk::override_rule(const api_request& asked, const principal& who) {
+void operator_handler::override_rule(const api_request& asked, const principal& who) {
   const auto what = "override " + std::string(io::name_of(asked.overridden.scope)) + " for " +
                     std::to_string(asked.lasts_s) + " s: " + asked.overridden.reason;
   if (who.role < operators::role::engineer)
@@ -253,7 +253,7 @@ void operator_desk::override_rule(const api_request& asked, const principal& who
   });
 }
 
-void operator_desk::log_out(const api_request& asked, const principal& who) {
+void operator_handler::log_out(const api_request& asked, const principal& who) {
   ask_bridge(asked, answer_timeout, operator_bridge::end_session{who},
              [this, asked](const operator_bridge::session_ended&) {
                identified_.erase(asked.token_hash);
@@ -261,7 +261,7 @@ void operator_desk::log_out(const api_request& asked, const principal& who) {
              });
 }
 
-void operator_desk::opened(const api_request& asked, const operator_bridge::session_answer& answer) {
+void operator_handler::opened(const api_request& asked, const operator_bridge::session_answer& answer) {
   if (answer.is_open)
     answers_->resolve(asked.ticket, answer_of(answer.who, answer.ends_ns, wall_ns(), 201),
                       waiting_answers::cookie::opens_session);
@@ -269,7 +269,7 @@ void operator_desk::opened(const api_request& asked, const operator_bridge::sess
     answers_->resolve(asked.ticket, problem(401, answer.reason));
 }
 
-void operator_desk::note_stranger(const api_request& asked, const std::string& what, const std::string& outcome) {
+void operator_handler::note_stranger(const api_request& asked, const std::string& what, const std::string& outcome) {
   tell(others_.bridge,
        operator_bridge::audit_note{{asked.account.name, operators::role::viewer, {}}, what, outcome, {}});
 }

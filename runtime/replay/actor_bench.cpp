@@ -1,4 +1,4 @@
-#include "runtime/replay/desk.hpp"
+#include "runtime/replay/actor_bench.hpp"
 
 #include <algorithm>
 #include <deque>
@@ -42,7 +42,7 @@ const message_type* runtime_type(std::string_view name) {
 
 } // namespace
 
-struct desk::parts final : public replay_port {
+struct actor_bench::parts final : public replay_port {
   explicit parts(std::uint64_t run) : disk(run) {
     services outside;
     outside.time = &time;
@@ -56,7 +56,7 @@ struct desk::parts final : public replay_port {
     options.simulated = true;
     actors = std::make_unique<runtime::system>(outside, options);
     coordinator = dynamic_cast<caf::scheduler::test_coordinator*>(&actors->actors().scheduler());
-    GODWIT_ASSERT(coordinator != nullptr, "a desk runs on CAF's test coordinator");
+    GODWIT_ASSERT(coordinator != nullptr, "a bench runs on CAF's test coordinator");
   }
   parts(const parts&) = delete;
   parts& operator=(const parts&) = delete;
@@ -89,7 +89,7 @@ struct desk::parts final : public replay_port {
   void observed(const message_type& type, void* value) override;
   bool taken(const message_type& type, void* value) override;
   void called(const outside_call& what) override;
-  [[nodiscard]] desk_result end_of_step(std::uint64_t crashes_before);
+  [[nodiscard]] bench_result end_of_step(std::uint64_t crashes_before);
   [[nodiscard]] const child_spec* find(std::string_view name) const;
   [[nodiscard]] std::uint32_t number_of(std::string_view name);
   [[nodiscard]] caf::strong_actor_ptr address_named(std::string_view name);
@@ -101,20 +101,20 @@ struct desk::parts final : public replay_port {
     const message_type* answer_type = nullptr;
     caf::message_id mid;
   };
-  [[nodiscard]] std::deque<question>::iterator answered_by(const desk_input& input);
-  [[nodiscard]] tl::expected<caf::mailbox_element_ptr, std::string> mail_of(const desk_input& input);
+  [[nodiscard]] std::deque<question>::iterator answered_by(const bench_input& input);
+  [[nodiscard]] tl::expected<caf::mailbox_element_ptr, std::string> mail_of(const bench_input& input);
 
   directory names;
   health_board health;
-  desk_time time;
-  desk_journal disk;
-  desk_record record;
+  bench_time time;
+  bench_journal disk;
+  bench_record record;
   services services_;
   std::unique_ptr<runtime::system> actors;
   caf::scheduler::test_coordinator* coordinator = nullptr;
   const child_spec* chosen = nullptr;
   caf::strong_actor_ptr life;
-  std::vector<desk_sending> sent;
+  std::vector<bench_sending> sent;
   std::vector<std::pair<std::int64_t, std::uint32_t>> effects; // of what was sent, not confirmed yet
   std::vector<std::uint32_t> effect_receivers;
   std::deque<question> asked;
@@ -126,20 +126,20 @@ struct desk::parts final : public replay_port {
   [[nodiscard]] std::optional<fact> next_fact(std::string_view type);
   std::deque<fact> facts;   // to come
   std::size_t expected = 0; // in this step
-  std::vector<desk_beside> beside;
+  std::vector<handler_beside> beside;
   std::map<std::string, nlohmann::json, std::less<>> last_facts;
   std::map<std::string, caf::strong_actor_ptr, std::less<>> others;
   std::uint64_t requests = 0;
 };
 
-const child_spec* desk::parts::find(std::string_view name) const {
+const child_spec* actor_bench::parts::find(std::string_view name) const {
   const auto& all = actors->declared();
   const auto found =
       std::ranges::find_if(all, [&](const auto& each) { return address_of(each.address).actor_name() == name; });
   return found == all.end() ? nullptr : &*found;
 }
 
-std::uint32_t desk::parts::number_of(std::string_view name) {
+std::uint32_t actor_bench::parts::number_of(std::string_view name) {
   const std::string text(name);
   if (const auto known = names.number(text))
     return *known;
@@ -147,7 +147,7 @@ std::uint32_t desk::parts::number_of(std::string_view name) {
 }
 
 // Of an actor that is not declared here: one that it made for the record's sake.
-caf::strong_actor_ptr desk::parts::address_named(std::string_view name) {
+caf::strong_actor_ptr actor_bench::parts::address_named(std::string_view name) {
   if (const auto* const known = find(name))
     return strong(known->address);
   auto& made = others[std::string(name)];
@@ -158,18 +158,18 @@ caf::strong_actor_ptr desk::parts::address_named(std::string_view name) {
 
 // -- what the actor does ----------------------------------------------------------------------------
 
-void desk::parts::take(caf::actor_control_block& to, const caf::mailbox_element& element, std::int64_t delay_ns,
-                       const message_type* answer_type) {
+void actor_bench::parts::take(caf::actor_control_block& to, const caf::mailbox_element& element, std::int64_t delay_ns,
+                              const message_type* answer_type) {
   const auto& m = *envelope_in(element);
   const auto number = static_cast<stable_address&>(*to.get()).number();
-  desk_sending each{.id = m.head.id,
-                    .cause = m.head.cause,
-                    .to = names.name(number),
-                    .type = m.type->name,
-                    .body = {},
-                    .delay_ns = delay_ns,
-                    .is_question = answer_type != nullptr,
-                    .is_answer = element.mid.is_response()};
+  bench_sending each{.id = m.head.id,
+                     .cause = m.head.cause,
+                     .to = names.name(number),
+                     .type = m.type->name,
+                     .body = {},
+                     .delay_ns = delay_ns,
+                     .is_question = answer_type != nullptr,
+                     .is_answer = element.mid.is_response()};
   m.type->append_json(each.body, m.body.data());
   if (answer_type != nullptr)
     asked.push_back({each.id, each.to, answer_type, element.mid});
@@ -180,7 +180,7 @@ void desk::parts::take(caf::actor_control_block& to, const caf::mailbox_element&
   sent.push_back(std::move(each));
 }
 
-std::optional<desk::parts::fact> desk::parts::next_fact(std::string_view type) {
+std::optional<actor_bench::parts::fact> actor_bench::parts::next_fact(std::string_view type) {
   const auto next = std::ranges::find(facts, type, &fact::type);
   if (next == facts.end())
     return std::nullopt;
@@ -189,37 +189,37 @@ std::optional<desk::parts::fact> desk::parts::next_fact(std::string_view type) {
   return result;
 }
 
-bool desk::parts::taken(const message_type& type, void* value) {
+bool actor_bench::parts::taken(const message_type& type, void* value) {
   const auto next = next_fact(type.name);
   return next && type.read_json(next->content, value).empty();
 }
 
-void desk::parts::called(const outside_call& what) {
+void actor_bench::parts::called(const outside_call& what) {
   const auto next = next_fact(type_of<outside_call>().name);
-  desk_beside each;
+  handler_beside each;
   if (next)
     each.expected = next->place;
   type_of<outside_call>().append_json(each.produced, &what);
   beside.push_back(std::move(each));
 }
 
-void desk::parts::observed(const message_type& type, void* value) {
+void actor_bench::parts::observed(const message_type& type, void* value) {
   if (auto next = next_fact(type.name))
     last_facts[next->type] = std::move(next->content);
   if (const auto known = last_facts.find(type.name); known != last_facts.end())
     (void)type.read_json(known->second, value); // it was read before
 }
 
-desk_result desk::parts::end_of_step(std::uint64_t crashes_before) {
+bench_result actor_bench::parts::end_of_step(std::uint64_t crashes_before) {
   // Each effect is confirmed by its receiver; else they would pile up.
   for (std::size_t i = 0; life && i < effects.size(); ++i)
     life->enqueue(make_internal_mail(effect_taken{effects[i].first, effects[i].second, effect_receivers[i]}), nullptr);
   effects.clear();
   effect_receivers.clear();
   run();
-  desk_result result;
+  bench_result result;
   result.sent = std::exchange(sent, {});
-  std::ranges::sort(result.sent, {}, &desk_sending::id);
+  std::ranges::sort(result.sent, {}, &bench_sending::id);
   result.handled = record.take();
   for (const auto& each : facts)
     beside.push_back({each.place, {}});
@@ -235,7 +235,7 @@ desk_result desk::parts::end_of_step(std::uint64_t crashes_before) {
 
 // -- what is handed to it ---------------------------------------------------------------------------
 
-std::deque<desk::parts::question>::iterator desk::parts::answered_by(const desk_input& input) {
+std::deque<actor_bench::parts::question>::iterator actor_bench::parts::answered_by(const bench_input& input) {
   const bool is_failure = input.type == type_of<ask_failed>().name;
   const auto by_id = std::ranges::find_if(asked, [&](const question& each) {
     return each.id == (is_failure ? input.id : input.cause) && (is_failure || each.answer_type->name == input.type);
@@ -247,7 +247,7 @@ std::deque<desk::parts::question>::iterator desk::parts::answered_by(const desk_
       asked, [&](const question& each) { return each.to == input.sender && each.answer_type->name == input.type; });
 }
 
-tl::expected<caf::mailbox_element_ptr, std::string> desk::parts::mail_of(const desk_input& input) {
+tl::expected<caf::mailbox_element_ptr, std::string> actor_bench::parts::mail_of(const bench_input& input) {
   const auto document = nlohmann::json::parse(input.body, nullptr, false);
   if (document.is_discarded())
     return tl::unexpected(std::string("its message is not in the record"));
@@ -279,24 +279,24 @@ tl::expected<caf::mailbox_element_ptr, std::string> desk::parts::mail_of(const d
   return make_mail(std::move(from), mid, std::move(m));
 }
 
-// -- the desk ---------------------------------------------------------------------------------------
+// -- the bench ---------------------------------------------------------------------------------------
 
-desk::desk(std::uint64_t run) : parts_(std::make_unique<parts>(run)) {}
+actor_bench::actor_bench(std::uint64_t run) : parts_(std::make_unique<parts>(run)) {}
 
-desk::~desk() = default;
+actor_bench::~actor_bench() = default;
 
-runtime::system& desk::actors() { return *parts_->actors; }
+runtime::system& actor_bench::actors() { return *parts_->actors; }
 
-const time_source& desk::time() const { return parts_->time; }
+const time_source& actor_bench::time() const { return parts_->time; }
 
-const journal& desk::disk() const { return parts_->disk; }
+const journal& actor_bench::disk() const { return parts_->disk; }
 
-bool desk::choose(const std::string& actor) {
+bool actor_bench::choose(const std::string& actor) {
   parts_->chosen = parts_->find(actor);
   return parts_->chosen != nullptr;
 }
 
-desk_result desk::begin(desk_incarnation from) {
+bench_result actor_bench::begin(bench_incarnation from) {
   auto& p = *parts_;
   p.end_life();
   p.asked.clear();
@@ -323,7 +323,7 @@ desk_result desk::begin(desk_incarnation from) {
   return p.end_of_step(crashes);
 }
 
-tl::expected<void, std::string> desk::expect_observed(std::string_view type, std::string_view body) {
+tl::expected<void, std::string> actor_bench::expect_observed(std::string_view type, std::string_view body) {
   auto document = nlohmann::json::parse(body, nullptr, false);
   if (document.is_discarded())
     return tl::unexpected(std::string(type) + ": its content is not in the record");
@@ -331,10 +331,10 @@ tl::expected<void, std::string> desk::expect_observed(std::string_view type, std
   return {};
 }
 
-tl::expected<desk_result, std::string> desk::deliver(const desk_input& input) {
+tl::expected<bench_result, std::string> actor_bench::deliver(const bench_input& input) {
   auto& p = *parts_;
   if (!p.life)
-    return tl::unexpected(std::string("the actor has ended on the desk"));
+    return tl::unexpected(std::string("the actor has ended on the bench"));
   p.time.set(input.at);
   auto mail = p.mail_of(input);
   if (!mail) {
@@ -347,12 +347,12 @@ tl::expected<desk_result, std::string> desk::deliver(const desk_input& input) {
   return p.end_of_step(crashes);
 }
 
-void desk::note_recorded_id(std::uint64_t sent, std::uint64_t recorded) {
+void actor_bench::note_recorded_id(std::uint64_t sent, std::uint64_t recorded) {
   for (auto& each : parts_->asked)
     if (each.id == sent)
       each.id = recorded;
 }
 
-void desk::continue_ids_from(std::uint64_t id) { parts_->self().continue_ids_from(id); }
+void actor_bench::continue_ids_from(std::uint64_t id) { parts_->self().continue_ids_from(id); }
 
 } // namespace godwit::runtime

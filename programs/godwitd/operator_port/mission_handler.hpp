@@ -33,19 +33,19 @@ struct mission_upload {
 using mission_inlet = runtime::mailbox<runtime::tells<mission_upload>>;
 
 struct mission_peers {
-  runtime::combine<operator_bridge::desk_handle, operator_bridge::door_handle> bridge;
+  runtime::combine<operator_bridge::handler_handle, operator_bridge::door_handle> bridge;
   executor::operator_handle flight;
   runtime::mailbox<runtime::tells<mission_client::mission_loaded>> missions;
 };
 
-class mission_desk final : public runtime::actor_base<mission_inlet> {
+class mission_handler final : public runtime::actor_base<mission_inlet> {
 public:
   static constexpr std::chrono::seconds answer_timeout{1}; // of each of three questions
 
   // WHY_NOT: a sentence, where missions come another way; empty: they are taken.
-  mission_desk(runtime::spawn_context context, mission_peers others, std::shared_ptr<waiting_answers> answers,
-               std::string why_not);
-  ~mission_desk() override;
+  mission_handler(runtime::spawn_context context, mission_peers others, std::shared_ptr<waiting_answers> answers,
+                  std::string why_not);
+  ~mission_handler() override;
 
 protected:
   behavior_type handlers() override;

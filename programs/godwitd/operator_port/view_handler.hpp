@@ -1,7 +1,7 @@
 // Asks for what people look at: GET /api/v1/plan and GET /api/v1/preflight of the executor, GET /api/v1/map/objects of
 // the map.
 //
-//   request ──ticket──> view_desk ──get_plan, get_preflight──> executor ──────────> view as JSON ──> answer
+//   request ──ticket──> view_handler ──get_plan, get_preflight──> executor ──────────> view as JSON ──> answer
 //                                 ──get_objects──────────────> mapobjects_store ──>
 //
 //   /api/v1/map/objects?bbox=WEST,SOUTH,EAST,NORTH&limit=N     in degrees; both can be left out
@@ -63,13 +63,13 @@ struct objects_on_map {
 
 using view_inlet = runtime::mailbox<runtime::tells<view_request>>;
 
-class view_desk final : public runtime::actor_base<view_inlet> {
+class view_handler final : public runtime::actor_base<view_inlet> {
 public:
   static constexpr std::chrono::seconds answer_timeout{2};
 
-  view_desk(runtime::spawn_context context, executor::view_handle flight, mapobjects_store::viewer_handle map,
-            std::shared_ptr<waiting_answers> answers);
-  ~view_desk() override;
+  view_handler(runtime::spawn_context context, executor::view_handle flight, mapobjects_store::viewer_handle map,
+               std::shared_ptr<waiting_answers> answers);
+  ~view_handler() override;
 
 protected:
   behavior_type handlers() override;
@@ -84,7 +84,7 @@ private:
   std::shared_ptr<waiting_answers> answers_;
 };
 
-// TELL: to the desk; may be called in the thread of the port.
+// TELL: to the handler; may be called in the thread of the port.
 [[nodiscard]] route_list view_routes(const std::shared_ptr<waiting_answers>& answers,
                                      const std::function<void(view_request asked)>& tell);
 

@@ -1,4 +1,4 @@
-#include "programs/godwit-trace/replay/flight_desk.hpp"
+#include "programs/godwit-trace/replay/flight_bench.hpp"
 
 #include <algorithm>
 #include <array>
@@ -21,7 +21,7 @@ struct refusal {
 
 constexpr std::array refusals{
     refusal{"mapobjects_store", "its state is the file of the map, and the trace does not have it"},
-    refusal{"control_desk", "what it asks of the process reaches it beside its mailbox"},
+    refusal{"control_handler", "what it asks of the process reaches it beside its mailbox"},
     refusal{"sightings", "what it reads reaches it beside its mailbox"},
     refusal{"ground_run", "what it reads reaches it beside its mailbox"},
     refusal{"guardian", "its messages are not recorded"},
@@ -63,7 +63,7 @@ bool is_signed(const std::string& actor, const daemon::daemon_settings& settings
          (actor == "ground_port" && !settings.ground_key_file.empty());
 }
 
-std::string why_not(const std::string& actor, const daemon::daemon_settings& settings, runtime::desk& bench) {
+std::string why_not(const std::string& actor, const daemon::daemon_settings& settings, runtime::actor_bench& bench) {
   if (is_signed(actor, settings))
     return actor + " can not be replayed: its line is signed, and the trace does not have the key";
   if (const auto found = std::ranges::find(refusals, actor, &refusal::actor); found != refusals.end())
@@ -75,7 +75,7 @@ std::string why_not(const std::string& actor, const daemon::daemon_settings& set
 
 } // namespace
 
-struct flight_desk::parts {
+struct flight_bench::parts {
   parts(const daemon::daemon_settings& given, const recorded_process& of)
       : settings(given), bench(of.run), facts([] { return std::nullopt; }, bench.time()) {
     outside.vehicle = std::make_shared<vehicle_link::link_port>();
@@ -102,27 +102,27 @@ struct flight_desk::parts {
   }
 
   daemon::daemon_settings settings;
-  runtime::desk bench;
+  runtime::actor_bench bench;
   daemon::host_facts facts;
   daemon::actor_surroundings outside; // its actors call it
   daemon::view_surroundings views;
 };
 
-flight_desk::flight_desk(const daemon::daemon_settings& settings, const recorded_process& of)
+flight_bench::flight_bench(const daemon::daemon_settings& settings, const recorded_process& of)
     : parts_(std::make_unique<parts>(settings, of)) {}
 
-flight_desk::~flight_desk() = default;
+flight_bench::~flight_bench() = default;
 
-tl::expected<std::unique_ptr<flight_desk>, std::string>
-flight_desk::make(const std::string& actor, const daemon::daemon_settings& settings, const recorded_process& of) {
+tl::expected<std::unique_ptr<flight_bench>, std::string>
+flight_bench::make(const std::string& actor, const daemon::daemon_settings& settings, const recorded_process& of) {
   if (!settings.flies)
     return tl::unexpected(std::string("a run on the ground has no actor that can be replayed"));
-  std::unique_ptr<flight_desk> result(new flight_desk(settings, of));
+  std::unique_ptr<flight_bench> result(new flight_bench(settings, of));
   if (auto why = why_not(actor, settings, result->bench()); !why.empty())
     return tl::unexpected(std::move(why));
   return result;
 }
 
-runtime::desk& flight_desk::bench() { return parts_->bench; }
+runtime::actor_bench& flight_bench::bench() { return parts_->bench; }
 
 } // namespace godwit::trace_tool

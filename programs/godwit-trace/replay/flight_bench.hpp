@@ -1,4 +1,4 @@
-// godwitd's actors on the desk of a replay, joined by the daemon's own code: the replayed one runs, and the others are
+// godwitd's actors on the bench of a replay, joined by the daemon's own code: the replayed one runs, and the others are
 // only there to be told. Nothing is opened: no port, no file, no clock of this machine.
 //
 // Errors: sentences for people. Thread: one.
@@ -11,7 +11,7 @@
 #include <tl/expected.hpp>
 
 #include "programs/godwitd/settings.hpp"
-#include "runtime/replay/desk.hpp"
+#include "runtime/replay/actor_bench.hpp"
 
 namespace godwit::trace_tool {
 
@@ -21,19 +21,19 @@ struct recorded_process {
   std::uint64_t seed = 0;
 };
 
-class flight_desk {
+class flight_bench {
 public:
   // SETTINGS of the record. The error: why ACTOR can not be replayed, or that there is none of that name.
-  [[nodiscard]] static tl::expected<std::unique_ptr<flight_desk>, std::string>
+  [[nodiscard]] static tl::expected<std::unique_ptr<flight_bench>, std::string>
   make(const std::string& actor, const daemon::daemon_settings& settings, const recorded_process& of);
-  flight_desk(const flight_desk&) = delete;
-  flight_desk& operator=(const flight_desk&) = delete;
-  ~flight_desk();
+  flight_bench(const flight_bench&) = delete;
+  flight_bench& operator=(const flight_bench&) = delete;
+  ~flight_bench();
 
-  [[nodiscard]] runtime::desk& bench();
+  [[nodiscard]] runtime::actor_bench& bench();
 
 private:
-  flight_desk(const daemon::daemon_settings& settings, const recorded_process& of);
+  flight_bench(const daemon::daemon_settings& settings, const recorded_process& of);
 
   struct parts;
   std::unique_ptr<parts> parts_;

@@ -67,14 +67,14 @@ struct api_request {
                 decided, overridden, lasts_s, account, new_token_hash, link_hash);
 };
 
-using desk_inlet = runtime::mailbox<runtime::tells<api_request>>;
-using bridge_handle = runtime::combine<operator_bridge::desk_handle, operator_bridge::door_handle>;
+using request_inlet = runtime::mailbox<runtime::tells<api_request>>;
+using bridge_handle = runtime::combine<operator_bridge::handler_handle, operator_bridge::door_handle>;
 using override_handle = runtime::mailbox<runtime::asks<failsafe::override_rule, failsafe::override_answer>>;
 
 using stop_handle = runtime::mailbox<runtime::asks<operators::command, operators::answer>>;
 
 // Whom it asks.
-struct desk_peers {
+struct handler_peers {
   bridge_handle bridge;
   stop_handle flight; // for holds and returns alone
   scan_controller::operator_handle points;
@@ -84,14 +84,14 @@ struct desk_peers {
   audit_source read_audit = {};
 };
 
-class operator_desk final : public runtime::actor_base<desk_inlet> {
+class operator_handler final : public runtime::actor_base<request_inlet> {
 public:
   static constexpr std::chrono::seconds answer_timeout{2};
   static constexpr std::chrono::seconds command_timeout{4}; // longer than operator_bridge takes
   static constexpr std::size_t max_identified = 64;         // as many sessions as operator_bridge keeps, and programs
 
-  operator_desk(runtime::spawn_context context, desk_peers others, std::shared_ptr<waiting_answers> answers);
-  ~operator_desk() override;
+  operator_handler(runtime::spawn_context context, handler_peers others, std::shared_ptr<waiting_answers> answers);
+  ~operator_handler() override;
 
 protected:
   behavior_type handlers() override;
@@ -121,7 +121,7 @@ private:
   template <class Question, class OnAnswer>
   void ask_bridge(const api_request& asked, std::chrono::milliseconds patience, Question question, OnAnswer on_answer);
 
-  desk_peers others_;
+  handler_peers others_;
   std::map<std::string, operator_bridge::identity> identified_; // by the hash of the token; sessions that may be open
   std::shared_ptr<waiting_answers> answers_;
 };

@@ -8,7 +8,7 @@
 
 #include "tests/programs/godwitd/operator_port/api_world.hpp"
 
-namespace mission_desk_test {
+namespace mission_handler_test {
 
 using namespace godwit;
 using namespace godwit::operator_port;
@@ -137,4 +137,4 @@ TEST_F(mission_upload_of, a_godwitd_whose_missions_come_another_way_says_which) 
   EXPECT_TRUE(other.missions.empty());
 }
 
-} // namespace mission_desk_test
+} // namespace mission_handler_test

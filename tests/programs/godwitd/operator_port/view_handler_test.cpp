@@ -1,16 +1,16 @@
 // The plan and the preflight report over HTTP, from whoever has them.
-#include "programs/godwitd/operator_port/view_desk.hpp"
+#include "programs/godwitd/operator_port/view_handler.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/programs/godwitd/operator_port/api_world.hpp"
 
-namespace view_desk_test {
+namespace view_handler_test {
 
 using namespace godwit;
 using namespace godwit::operator_port;
 
-TEST(view_desk, anybody_who_may_look_sees_the_plan_and_what_the_checks_have_found) {
+TEST(view_handler, anybody_who_may_look_sees_the_plan_and_what_the_checks_have_found) {
   tests::api_world world;
   const auto plan = world.ask("GET", "/api/v1/plan");
   ASSERT_EQ(plan.status, 200U);
@@ -24,7 +24,7 @@ TEST(view_desk, anybody_who_may_look_sees_the_plan_and_what_the_checks_have_foun
   EXPECT_EQ(world.rows(), 0U);
 }
 
-TEST(view_desk, objects_of_the_map_are_asked_for_by_the_part_that_is_looked_at) {
+TEST(view_handler, objects_of_the_map_are_asked_for_by_the_part_that_is_looked_at) {
   tests::api_world world;
   const auto all = world.ask("GET", "/api/v1/map/objects");
   ASSERT_EQ(all.status, 200U) << all.body;
@@ -44,7 +44,7 @@ TEST(view_desk, objects_of_the_map_are_asked_for_by_the_part_that_is_looked_at) 
   EXPECT_EQ(asked.within.north_deg, 47.5);
 }
 
-TEST(view_desk, a_map_that_can_not_be_looked_at_is_said_with_the_reason) {
+TEST(view_handler, a_map_that_can_not_be_looked_at_is_said_with_the_reason) {
   tests::api_world world;
   world.objects.failure = mapobjects_store::map_failure::broken;
   world.objects.error = "the file is damaged";
@@ -53,7 +53,7 @@ TEST(view_desk, a_map_that_can_not_be_looked_at_is_said_with_the_reason) {
   EXPECT_NE(answer.body.at("detail").get<std::string>().find("the file is damaged"), std::string::npos);
 }
 
-TEST(view_desk, a_part_of_the_map_that_is_none_is_refused) {
+TEST(view_handler, a_part_of_the_map_that_is_none_is_refused) {
   for (const auto* query : {"bbox=1,2,3", "bbox=1,2,3,4,5", "bbox=1,5,3,4", "bbox=-181,0,0,1", "bbox=0,-91,1,1",
                             "bbox=nan,0,1,1", "bbox=1e999,0,1,1", "bbox=a,b,c,d", "bbox=1,2,3,", "limit=0", "limit=-1",
                             "limit=many", "limit=99999999999999", "box=1,2,3,4", "bbox"})
@@ -64,4 +64,4 @@ TEST(view_desk, a_part_of_the_map_that_is_none_is_refused) {
   EXPECT_TRUE(read_objects_query("/api/v1/map/objects?"));
 }
 
-} // namespace view_desk_test
+} // namespace view_handler_test

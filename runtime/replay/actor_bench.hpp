@@ -1,6 +1,6 @@
 // Where one recorded actor is run again: the real actor, alone, in one thread, with every input handed to it by hand.
 //
-//   desk bench;
+//   actor_bench bench;
 //   auto handles = add_all(bench.actors());             // as the program does; nobody of them is started
 //   bench.choose("executor");
 //   bench.begin({.number = 1, .restored = ..., .first_id = ..., .at = ...});
@@ -29,31 +29,31 @@
 
 namespace godwit::runtime {
 
-struct desk_moment {
+struct bench_moment {
   std::int64_t monotonic_ns = 0;
   std::int64_t wall_ns = 0;
 };
 
 // What was recorded of an input.
-struct desk_input {
+struct bench_input {
   std::uint64_t id = 0;
   std::uint64_t cause = 0;
   std::string_view sender;     // name
   bool may_be_question = true; // the sender is an actor, and not a thread that can not be answered
   std::string_view type;
   std::string_view body; // JSON
-  desk_moment at;
+  bench_moment at;
 };
 
-struct desk_incarnation {
+struct bench_incarnation {
   std::uint64_t number = 1;
   recovered restored;
   std::uint64_t first_id = 0; // of the first message that it made
-  desk_moment at;
+  bench_moment at;
 };
 
 // A message that the actor sent.
-struct desk_sending {
+struct bench_sending {
   std::uint64_t id = 0;
   std::uint64_t cause = 0;
   std::string to;
@@ -65,32 +65,32 @@ struct desk_sending {
 };
 
 // A handler that ran.
-struct desk_handling {
+struct bench_handling {
   std::uint64_t id = 0;
   std::string_view type;
   outcome how = outcome::handled;
 };
 
 // What came in or was done beside the mailbox.
-struct desk_beside {
+struct handler_beside {
   std::optional<std::size_t> expected; // place in what was expected of this step; none: nothing was
   std::string produced;                // JSON of the outside_call; empty: what was expected did not happen
 };
 
-struct desk_result {
-  std::vector<desk_sending> sent; // in the order of their ids
-  std::vector<desk_beside> beside;
-  std::vector<desk_handling> handled;
+struct bench_result {
+  std::vector<bench_sending> sent; // in the order of their ids
+  std::vector<handler_beside> beside;
+  std::vector<bench_handling> handled;
   std::string crash; // the reason, when the incarnation has ended
 };
 
-class desk {
+class actor_bench {
 public:
   // RUN: of the record; ids and counts begin with it.
-  explicit desk(std::uint64_t run);
-  desk(const desk&) = delete;
-  desk& operator=(const desk&) = delete;
-  ~desk();
+  explicit actor_bench(std::uint64_t run);
+  actor_bench(const actor_bench&) = delete;
+  actor_bench& operator=(const actor_bench&) = delete;
+  ~actor_bench();
 
   // For whoever declares the actors of the program, before choose().
   [[nodiscard]] runtime::system& actors();
@@ -101,10 +101,10 @@ public:
   [[nodiscard]] bool choose(const std::string& actor);
 
   // A new life of the actor; the one before has ended or is ended now.
-  [[nodiscard]] desk_result begin(desk_incarnation from);
+  [[nodiscard]] bench_result begin(bench_incarnation from);
   // What came in or was done beside the mailbox during the next begin() or deliver(), in order.
   [[nodiscard]] tl::expected<void, std::string> expect_observed(std::string_view type, std::string_view body);
-  [[nodiscard]] tl::expected<desk_result, std::string> deliver(const desk_input& input);
+  [[nodiscard]] tl::expected<bench_result, std::string> deliver(const bench_input& input);
   // What the actor sent as SENT was RECORDED: an answer to that is one to this.
   void note_recorded_id(std::uint64_t sent, std::uint64_t recorded);
   // Its next message has this id.
@@ -115,21 +115,21 @@ private:
   std::unique_ptr<parts> parts_;
 };
 
-// The private parts of the desk: its time, disk and record. For runtime/replay alone.
-class desk_time final : public time_source {
+// The private parts of the bench: its time, disk and record. For runtime/replay alone.
+class bench_time final : public time_source {
 public:
-  void set(const desk_moment& to) { now_ = to; }
+  void set(const bench_moment& to) { now_ = to; }
   [[nodiscard]] std::int64_t monotonic_ns() const noexcept override { return now_.monotonic_ns; }
   [[nodiscard]] std::int64_t wall_ns() const noexcept override { return now_.wall_ns; }
 
 private:
-  desk_moment now_;
+  bench_moment now_;
 };
 
 // Takes every write, keeps none, and never says that one is on the disk: the record does.
-class desk_journal final : public journal {
+class bench_journal final : public journal {
 public:
-  explicit desk_journal(std::uint64_t run) : run_(run) {}
+  explicit bench_journal(std::uint64_t run) : run_(run) {}
   [[nodiscard]] tl::expected<void, journal_error> submit(journal_write&& write) override {
     const auto taken = std::exchange(write, {});
     return {};
@@ -146,17 +146,17 @@ private:
 };
 
 // How handlers ended.
-class desk_record final : public trace_sink {
+class bench_record final : public trace_sink {
 public:
   [[nodiscard]] std::int64_t ticks() const noexcept override { return 0; }
   void record(const trace_entry& entry, const message_type& type, const void*) noexcept override {
     if (&type != &type_of<restored>())
       handled_.push_back({entry.id, type.name, entry.how});
   }
-  [[nodiscard]] std::vector<desk_handling> take() { return std::exchange(handled_, {}); }
+  [[nodiscard]] std::vector<bench_handling> take() { return std::exchange(handled_, {}); }
 
 private:
-  std::vector<desk_handling> handled_;
+  std::vector<bench_handling> handled_;
 };
 
 } // namespace godwit::runtime

@@ -313,7 +313,8 @@ void core::begin_with(decision_context& t, mavlink::sender vehicle) {
     identity_ = {};
   }
   transfers_.emplace(ourselves(), vehicle,
-                     transfer::profile_for(static_cast<mavlink::mav_autopilot>(watch_.vehicle()->autopilot)));
+                     transfer::profile_for(static_cast<mavlink::mav_autopilot>(watch_.vehicle()->autopilot)),
+                     t.now.monotonic_ns);
 }
 
 line_findings core::line(std::int64_t now_ns) const {

@@ -160,7 +160,7 @@ bool transfer_world::is_same(const std::vector<mavlink::mission_item_int>& a,
 void transfer_world::restart_our_client() {
   auto* client = &ours().client;
   std::destroy_at(client);
-  std::construct_at(client, our_id, vehicle_id, profile_);
+  std::construct_at(client, our_id, vehicle_id, profile_, time_.now_ns());
 }
 
 void transfer_world::reboot_vehicle(std::int64_t duration_ns) {

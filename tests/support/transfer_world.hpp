@@ -25,10 +25,12 @@ inline constexpr io::mavlink::sender other_station_id{255, 190};
 
 class transfer_world {
 public:
+  static constexpr std::int64_t long_ago_ns = -60'000'000'000;
+
   struct station {
     station(io::mavlink::sender self, const transfer::peer_profile& profile, virtual_time& time,
             const line_settings& settings, std::uint64_t seed)
-        : id(self), client(self, vehicle_id, profile), line(time, settings, seed) {}
+        : id(self), client(self, vehicle_id, profile, long_ago_ns), line(time, settings, seed) {}
 
     io::mavlink::sender id;
     transfer::client client;

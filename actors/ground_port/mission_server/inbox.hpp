@@ -42,6 +42,7 @@ public:
   [[nodiscard]] std::int64_t next_turn_ns() const {
     return waiting_.empty() ? std::numeric_limits<std::int64_t>::max() : turn_at_ns_;
   }
+  [[nodiscard]] bool is_empty() const { return waiting_.empty(); }
   [[nodiscard]] std::uint64_t dropped() const { return dropped_; }
 
 private:

@@ -79,7 +79,11 @@ void server::begin(sender from, mav_mission_type type, int first, int count, std
   finished_.reset();
   auto& upload = session_.emplace<receiving>(
       receiving{from, type, count, first, now_ns, now_ns, vehicle_.asks_with, {vehicle_.fence, count}, {}});
-  ask(upload, now_ns);
+  // What waits already is taken before it asks: if that is the first item, there is no request for it.
+  if (inbox_.is_empty())
+    ask(upload, now_ns);
+  else
+    upload.asked_ns = now_ns + vehicle_.turn_ns - vehicle_.asks_again_ns;
 }
 
 void server::take(sender from, const mavlink::mission_item_int& m, std::int64_t now_ns) {

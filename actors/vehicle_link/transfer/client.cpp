@@ -5,7 +5,6 @@
 
 #include "actors/vehicle_link/transfer/clear.hpp"
 #include "actors/vehicle_link/transfer/download.hpp"
-#include "actors/vehicle_link/transfer/upload.hpp"
 #include "runtime/assert.hpp"
 
 namespace godwit::vehicle_link::transfer {
@@ -52,8 +51,10 @@ step refused_here(mav_mission_type type) {
 
 } // namespace
 
-client::client(mavlink::sender ourselves, mavlink::sender peer, const peer_profile& profile)
-    : ourselves_(ourselves), peer_(peer), profile_(profile), keeps_plan_ids_(profile.keeps_plan_ids) {}
+client::client(mavlink::sender ourselves, mavlink::sender peer, const peer_profile& profile, std::int64_t since_ns)
+    : ourselves_(ourselves), peer_(peer), profile_(profile), keeps_plan_ids_(profile.keeps_plan_ids) {
+  before_.fill({0, since_ns + profile.patience_ns});
+}
 
 step client::upload(mav_mission_type type, std::vector<mavlink::mission_item_int> plan, std::int64_t now_ns) {
   const auto who = with(type);
@@ -61,9 +62,8 @@ step client::upload(mav_mission_type type, std::vector<mavlink::mission_item_int
     return begin(who, std::make_unique<transfer::clear>(clear_with::mission_count_0, who, profile_, line_), now_ns);
   if (plan.size() > plan_reader::max_items)
     return refused_here(type);
-  return begin(
-      who, std::make_unique<transfer::upload>(std::move(plan), quiet_from_ns_[index_of(type)], who, profile_, line_),
-      now_ns);
+  return begin(who, std::make_unique<transfer::upload>(std::move(plan), before_[index_of(type)], who, profile_, line_),
+               now_ns);
 }
 
 step client::download(mav_mission_type type, std::int64_t now_ns, bool id_suffices) {
@@ -203,7 +203,8 @@ void client::end_if_finished(const step& out, std::int64_t now_ns) {
     return;
   running_.reset();
   if (!is_download(*out.finished))
-    quiet_from_ns_[index_of(who_.mission_type)] = now_ns + frames_stay_ns;
+    before_[index_of(who_.mission_type)] = {
+        now_ns + frames_stay_ns, out.finished->verdict == verdict::accepted ? 0 : now_ns + profile_.patience_ns};
 }
 
 } // namespace godwit::vehicle_link::transfer

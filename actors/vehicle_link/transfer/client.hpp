@@ -17,6 +17,7 @@
 #include "actors/vehicle_link/transfer/peer_profile.hpp"
 #include "actors/vehicle_link/transfer/round_trip.hpp"
 #include "actors/vehicle_link/transfer/step.hpp"
+#include "actors/vehicle_link/transfer/upload.hpp"
 #include "io/mavlink/messages/mission.hpp"
 
 namespace godwit::vehicle_link::transfer {
@@ -36,7 +37,8 @@ inline constexpr std::int64_t frames_stay_ns = 1'000 * ns_per_ms;
 
 class client {
 public:
-  client(mavlink::sender ourselves, mavlink::sender peer, const peer_profile& profile);
+  // SINCE_NS: whoever spoke for OURSELVES until then may have left an upload open.
+  client(mavlink::sender ourselves, mavlink::sender peer, const peer_profile& profile, std::int64_t since_ns);
   client(const client&) = delete; // what runs looks into it
   client& operator=(const client&) = delete;
   ~client() = default;
@@ -85,7 +87,7 @@ private:
   std::int64_t began_ns_ = 0; // the running or the last transfer
   bool is_answered_ = false;  // by a request
   bool keeps_plan_ids_;
-  std::array<std::int64_t, 3> quiet_from_ns_{}; // by type: nothing of the last upload is on the line any more
+  std::array<earlier_upload, 3> before_; // by type
   std::uint64_t ignored_ = 0;
 };
 

@@ -26,10 +26,10 @@ constexpr bool is(std::uint8_t result, mav_mission_result what) { return result 
 
 } // namespace
 
-upload::upload(std::vector<mavlink::mission_item_int> plan, std::int64_t not_before_ns, const parties& who,
+upload::upload(std::vector<mavlink::mission_item_int> plan, const earlier_upload& before, const parties& who,
                const peer_profile& peer, round_trip& line)
     : plan_(std::move(plan)), who_(who), peer_(peer), line_(line), flow_(static_cast<int>(plan_.size()), peer, line),
-      not_before_ns_(not_before_ns) {
+      before_(before) {
   for (std::size_t i = 0; i < plan_.size(); ++i) {
     plan_[i] = who_.addressed(plan_[i]);
     plan_[i].seq = static_cast<std::uint16_t>(i);
@@ -38,13 +38,16 @@ upload::upload(std::vector<mavlink::mission_item_int> plan, std::int64_t not_bef
 
 void upload::start(step& out, std::int64_t now_ns) {
   started_ns_ = heard_ns_ = progress_ns_ = now_ns;
-  if (now_ns >= not_before_ns_)
+  if (now_ns >= before_.on_line_until_ns)
     announce(out, now_ns);
 }
 
 void upload::announce(step& out, std::int64_t now_ns) {
-  if (announcements_ == 0)
+  if (announcements_ == 0) {
     first_announced_ns_ = now_ns;
+    was_none_open_ = now_ns >= before_.open_until_ns;
+    is_first_asked_for_ = false;
+  }
   announced_ns_ = now_ns;
   ++announcements_;
   has_closed_ours_ = false;
@@ -102,10 +105,12 @@ void upload::on_request(step& out, std::uint16_t item, std::int64_t now_ns) {
 void upload::on_request_announcing(step& out, int item, std::int64_t now_ns) {
   if (announcements_ == 0 || line_.is_too_soon(now_ns - first_announced_ns_))
     return; // of an earlier transfer
-  if (item != 0)
+  if (item != 0 && !may_have_taken_first_item())
     return;
+  is_first_asked_for_ = item == 0;
   // No certain sample of the line: where an earlier transfer is open, it may be the vehicle asking again.
-  line_.ambiguous_sample({now_ns - announced_ns_, 0, std::nullopt});
+  if (item == 0)
+    line_.ambiguous_sample({now_ns - announced_ns_, 0, std::nullopt});
   phase_ = phase::sending;
   has_begun_ = true;
   progress_ns_ = now_ns;
@@ -113,7 +118,15 @@ void upload::on_request_announcing(step& out, int item, std::int64_t now_ns) {
   refusal_.reset();
   if (announcements_ > 1) // items that went along with a lost announcement are lost as well
     flow_.on_wrong_item(now_ns);
-  send_items(out, now_ns);
+  if (item == 0)
+    send_items(out, now_ns);
+  else
+    on_request_sending(out, item, now_ns);
+}
+
+// The first window went along with the only announcement, and nothing of it was wrong.
+bool upload::may_have_taken_first_item() const {
+  return items_went_along_ && announcements_ == 1 && effort_.warnings == 0;
 }
 
 void upload::on_request_sending(step& out, int item, std::int64_t now_ns) {
@@ -179,11 +192,11 @@ void upload::on_ack_sending(step& out, const mavlink::mission_ack& m, std::int64
   case mav_mission_result::accepted:
     if (!flow_.may_be_acknowledged(now_ns)) {
       ++effort_.warnings;
-    } else if (flow_.is_last_asked_for()) {
+    } else if (flow_.is_last_asked_for() && has_begun_with_ours()) {
       accept(out, proof::acknowledged, m.opaque_id, now_ns);
     } else {
       acknowledged_id_ = m.opaque_id;
-      resolve(out, plan_reader::depth::count, now_ns);
+      resolve(out, has_begun_with_ours() ? plan_reader::depth::count : plan_reader::depth::items, now_ns);
     }
     return;
   case mav_mission_result::denied: // an attempt to resolve it, a while ago
@@ -220,7 +233,7 @@ void upload::on_ack_resolving(step& out, const mavlink::mission_ack& m, std::int
   if (decided_) {
     reader_->on_ack(m);
   } else if (is(m.type, mav_mission_result::accepted)) {
-    if (depth_ == plan_reader::depth::items && flow_.is_last_asked_for()) {
+    if (depth_ == plan_reader::depth::items && flow_.is_last_asked_for() && has_begun_with_ours()) {
       reader_->close(out, mav_mission_result::accepted);
       accept(out, proof::acknowledged, m.opaque_id, now_ns);
     }
@@ -393,7 +406,7 @@ std::int64_t upload::gives_up_ns() const {
 
 std::int64_t upload::announces_next_ns() const {
   if (announcements_ == 0)
-    return not_before_ns_;
+    return before_.on_line_until_ns;
   const auto first_ns = peer_.items_follow_count ? line_.timeout_ns() : std::min(line_.timeout_ns(), repeats_count_ns);
   const auto wait_ns = lengthened(first_ns, announcements_ - 1, max_wait_ns);
   return announced_ns_ + (busy_ ? std::max(wait_ns, min_busy_wait_ns) : wait_ns);

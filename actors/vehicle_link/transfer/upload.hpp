@@ -12,8 +12,10 @@
 // *Announcing.* MISSION_COUNT is sent until the vehicle asks for item 0. To profiles that allow it the first window
 // follows at once. A request for a later item shows that requests come, but not that the vehicle has begun with this
 // plan: a transfer that was cut off, by us or by an earlier life of ours, may still be open, and items of both plans
-// would be mixed. So only a request for 0 counts. ERROR and DENIED mean that the vehicle is busy: it is asked for as
-// long as its patience; where cancel is obeyed it is sent as well, for it may be busy with a transfer of ours.
+// would be mixed. So only a request for 0 counts. But an ArduPilot that gets item 0 ahead of its first request never
+// asks for it: where the first window went along, a later request counts, and where a transfer may have been open the
+// plan is read back in the end. ERROR and DENIED mean that the vehicle is busy: it is asked for as long as its
+// patience; where cancel is obeyed it is sent as well, for it may be busy with a transfer of ours.
 //
 // *Sending.* item_flow decides what goes out. Each kind of MISSION_ACK:
 //   accepted           before all was sent: a late one of an earlier transfer, ignored
@@ -56,11 +58,17 @@ inline constexpr int max_restarts = 3;
 // A vehicle that answers without ever getting further is left after so many times its patience.
 inline constexpr int patience_without_progress = 3;
 
+// What is left of an earlier upload of the same type: no protocol number tells its items and its requests from ours.
+struct earlier_upload {
+  std::int64_t on_line_until_ns = 0; // its items
+  std::int64_t open_until_ns = 0;    // at the latest, in the vehicle
+};
+
 class upload final : public operation {
 public:
-  // PLAN has 1 to plan_reader::max_items items. NOT_BEFORE_NS: items of an earlier upload may be on the line until
-  // then; no protocol number tells them from ours. LINE outlives it.
-  upload(std::vector<mavlink::mission_item_int> plan, std::int64_t not_before_ns, const parties& who,
+  // PLAN has 1 to plan_reader::max_items items. Nothing is sent while items of BEFORE may be on the line. LINE outlives
+  // it.
+  upload(std::vector<mavlink::mission_item_int> plan, const earlier_upload& before, const parties& who,
          const peer_profile& peer, round_trip& line);
 
   void start(step& out, std::int64_t now_ns) override;
@@ -105,6 +113,8 @@ private:
   [[nodiscard]] outcome refused(std::uint8_t result) const;
   [[nodiscard]] bool may_be_complete() const { return was_complete_before_ || flow_.is_all_sent(); }
   [[nodiscard]] bool may_have_begun() const;
+  [[nodiscard]] bool may_have_taken_first_item() const;
+  [[nodiscard]] bool has_begun_with_ours() const { return is_first_asked_for_ || was_none_open_; }
   [[nodiscard]] bool is_id_of_ours(std::uint32_t plan_id, std::int64_t now_ns) const;
   [[nodiscard]] std::int64_t gives_up_ns() const;
   [[nodiscard]] std::int64_t announces_next_ns() const;
@@ -117,7 +127,7 @@ private:
   item_flow flow_;
   phase phase_ = phase::announcing;
 
-  std::int64_t not_before_ns_;
+  earlier_upload before_;
   std::int64_t started_ns_ = 0;
   std::int64_t heard_ns_ = 0;           // of the vehicle, or this attempt's beginning
   std::int64_t progress_ns_ = 0;        // or this attempt's beginning
@@ -125,11 +135,13 @@ private:
   std::int64_t announced_ns_ = 0;
   int announcements_ = 0;                    // of this attempt
   bool items_went_along_ = false;            // with the first of them
+  bool was_none_open_ = false;               // of ours, as the first of them was sent
+  bool is_first_asked_for_ = false;          // in this attempt
   bool has_closed_ours_ = false;             // since the last of them
   std::optional<std::uint8_t> busy_;         // what a vehicle that is busy has said
   std::optional<refusal> refusal_;           // not yet believed
   int errors_ = 0;                           // since the last progress
-  bool has_begun_ = false;                   // the vehicle has asked for item 0, in some attempt
+  bool has_begun_ = false;                   // the vehicle has asked for an item of ours, in some attempt
   bool was_complete_before_ = false;         // all was sent in an earlier attempt
   int done_ = 0;                             // as told to people
   std::optional<plan_reader> reader_;        // while resolving

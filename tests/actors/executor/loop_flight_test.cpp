@@ -134,6 +134,8 @@ TEST(loop_flight, five_kills_and_two_reassignments_change_no_round) {
         else
           world.crash_all();
       }
+      if (!fly(12) && world.durable().status.now == phase::paused) // killed while it was held for a plan
+        (void)world.say(operators::command_kind::resume);
       ASSERT_TRUE(fly(1500)) << io::name_of(who) << " seed " << seed << world.story();
       EXPECT_EQ(w2.count(), 3) << io::name_of(who) << " seed " << seed << world.story();
       for (const auto* id : {"w1", "w2", "w3"})

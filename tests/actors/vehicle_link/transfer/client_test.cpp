@@ -18,7 +18,7 @@ using transfer::verdict;
 
 using godwit::tests::ms;
 
-transfer::client px4_client() { return {our_id, vehicle_id, transfer::profile_for(mav_autopilot::px4)}; }
+transfer::client px4_client() { return {our_id, vehicle_id, transfer::profile_for(mav_autopilot::px4), 0}; }
 
 template <class M>
 M to_us(M message) {

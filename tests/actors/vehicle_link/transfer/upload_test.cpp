@@ -59,6 +59,29 @@ TEST(upload, each_kind_of_vehicle_holds_the_plan_and_each_item_was_sent_once) {
   }
 }
 
+// ArduCopter 4.7, at a replan: COUNT and eight items, REQUEST 1 to 7 and the ACK 5 ms later, and COUNT again.
+TEST(upload, each_plan_is_sent_once_to_an_ardupilot_that_never_asks_for_item_0) {
+  auto world = copter_world();
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const auto plan = mission_of(8, seed);
+    EXPECT_EQ(world.upload(plan).verdict, verdict::accepted);
+    EXPECT_EQ(count_sent_items(world), 8);
+    EXPECT_TRUE(holds(world.vehicle(), plan));
+  }
+}
+
+// Of an earlier life it may have had one open: then it could be a mixture that it has acknowledged.
+TEST(upload, the_first_plan_of_a_life_is_read_back_and_not_sent_again) {
+  auto world = copter_world();
+  world.restart_our_client();
+  const auto plan = mission_of(8);
+  const auto outcome = world.upload(plan);
+  EXPECT_EQ(outcome.verdict, verdict::accepted);
+  EXPECT_EQ(outcome.proof, proof::read_back);
+  EXPECT_EQ(outcome.effort.items_sent, 8U);
+  EXPECT_TRUE(holds(world.vehicle(), plan));
+}
+
 TEST(upload, items_carry_number_address_and_type) {
   auto world = px4_world();
   std::vector<mavlink::mission_item_int> sent;
@@ -283,6 +306,22 @@ TEST(upload, an_open_transfer_of_an_earlier_life_is_not_continued_with_other_ite
     EXPECT_EQ(world.upload(plan).verdict, verdict::accepted);
     EXPECT_TRUE(holds(world.vehicle(), plan));
   }
+}
+
+TEST(upload, an_open_transfer_of_ours_that_failed_is_not_continued_with_other_items) {
+  auto world = copter_world();
+  world.begin(world.ours(),
+              world.ours().client.upload(mav_mission_type::mission, mission_of(40, 1), world.time().now_ns()));
+  world.run_for(20 * ms);
+  ASSERT_TRUE(world.vehicle().is_receiving());
+  world.begin(world.ours(), world.ours().client.cancel(world.time().now_ns()));
+  world.run_for(1'000 * ms);
+  world.ours().outcomes.clear();
+  world.ours().drops_sent = drop_first<mavlink::mission_count>(1);
+  world.ours().drops_received = drop_acks_of(mav_mission_result::invalid_sequence, 100);
+  const auto plan = mission_of(40, 2);
+  EXPECT_EQ(world.upload(plan).verdict, verdict::accepted);
+  EXPECT_TRUE(holds(world.vehicle(), plan));
 }
 
 TEST(upload, waits_for_a_vehicle_that_is_busy_with_another_station) {

@@ -18,7 +18,7 @@ namespace transfer = vehicle_link::transfer;
 class companion {
 public:
   companion(vehicle_world& world, mavlink::mav_autopilot autopilot)
-      : world_(world), client_(station_id, vehicle_id, transfer::profile_for(autopilot)) {}
+      : world_(world), client_(station_id, vehicle_id, transfer::profile_for(autopilot), 0) {}
 
   transfer::outcome upload(plan items) {
     return run(client_.upload(mav_mission_type::mission, std::move(items), world_.now_ns()));

@@ -32,6 +32,7 @@ void copter::on_armed() { preflight_ends_ns_ = now().world_after(disarms_after_n
 
 void copter::on_disarmed() {
   preflight_ends_ns_ = never_ns;
+  is_auto_armed_ = false;
   reset_mission();
 }
 
@@ -48,8 +49,15 @@ void copter::on_battery_empty() {
     disarm();
 }
 
+// Nobody gives throttle there.
+void copter::on_mode_entered(const flight_mode& mode) {
+  is_auto_armed_ = is_auto_armed_ && mode.kind != mode_kind::manual;
+  ardupilot::on_mode_entered(mode);
+}
+
 void copter::on_restart() {
   preflight_ends_ns_ = never_ns;
+  is_auto_armed_ = false;
   ardupilot::on_restart();
 }
 
@@ -87,6 +95,12 @@ std::string copter::words_of_reached(int sequence) const {
 }
 
 // -- commands ---------------------------------------------------------------------------------------
+
+autopilot::answer copter::start_mission(const role::order& what) {
+  const auto result = ardupilot::start_mission(what);
+  is_auto_armed_ = is_auto_armed_ || (state().is_armed && result == answer::accepted);
+  return result;
+}
 
 autopilot::answer copter::take_off(const role::order& what) {
   if (!state().is_in(mode_kind::guided) || !state().is_armed || craft().is_in_air() || !(what.z > 0))

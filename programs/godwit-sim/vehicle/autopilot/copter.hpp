@@ -1,7 +1,8 @@
 // ArduPilot's Copter.
 //
 // Armed on the ground it takes AUTO only for a mission that begins with a take-off, and begins it when MISSION_START
-// comes. After landing it disarms itself, and disarming puts the mission back to its beginning. Thread: one at a time.
+// comes; from then on also when AUTO is entered, until it is disarmed (Copter::update_auto_armed). After landing it
+// disarms itself, and disarming puts the mission back to its beginning. Thread: one at a time.
 #pragma once
 
 #include "programs/godwit-sim/vehicle/autopilot/ardupilot.hpp"
@@ -23,13 +24,15 @@ protected:
   void on_position_lost() override;
   void on_battery_empty() override;
   void on_restart() override;
+  void on_mode_entered(const flight_mode& mode) override;
 
+  answer start_mission(const role::order& what) override;
   answer take_off(const role::order& what) override;
   answer pause_or_continue(const role::order& what) override;
 
   [[nodiscard]] bool is_armable(mode_kind kind) const override;
   [[nodiscard]] std::string_view why_not_auto() const override;
-  [[nodiscard]] bool begins_in_auto() const override { return craft().is_in_air(); }
+  [[nodiscard]] bool begins_in_auto() const override { return craft().is_in_air() || is_auto_armed_; }
   void on_took_off() override { preflight_ends_ns_ = never_ns; }
   void on_landed() override;
   void on_completed() override;
@@ -40,6 +43,7 @@ private:
   [[nodiscard]] bool begins_with_take_off() const;
 
   std::int64_t preflight_ends_ns_ = never_ns;
+  bool is_auto_armed_ = false; // it was started since it was armed
 };
 
 } // namespace godwit::sim

@@ -39,6 +39,7 @@ traits px4_traits() {
   t.type = mavlink::mav_type::quadrotor;
   t.autopilot = mavlink::mav_autopilot::px4;
   t.body = multirotor_craft();
+  t.body.spool_up_s = 1.8; // of 1.17: armed by a start, "Takeoff detected" 1.74 to 1.83 s later
   t.modes = px4_modes();
   t.first_mode = px4_mode(4, 3); // AUTO.LOITER
   t.plan_profile = plans::px4_profile();
@@ -106,6 +107,7 @@ traits copter_traits() {
   auto t = ardupilot_traits();
   t.type = mavlink::mav_type::quadrotor;
   t.body = multirotor_craft();
+  t.body.spool_up_s = 3.3; // of 4.7: landed until 3.29 s after it had acknowledged MISSION_START
   t.modes = copter_modes();
   t.first_mode = 0; // STABILIZE
   t.plan_profile = plans::ardupilot_copter_profile();

@@ -20,6 +20,7 @@ struct craft {
   double arrival_radius_m = 2;    // where an item has none of its own
   double takeoff_altitude_m = 10; // above home, where a take-off item has none
   double return_altitude_m = 15;  // above home
+  double spool_up_s = 0;          // multirotor: told to climb it stands for so long, while its rotors get faster
   // 50 steps a second: at 20 m/s less than half a metre each.
   static constexpr std::int64_t step_ns = 20'000'000;
 };

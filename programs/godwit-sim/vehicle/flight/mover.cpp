@@ -35,6 +35,7 @@ position mover::return_place(const position& home) const {
 
 void mover::rest(double step_s) {
   circled_.reset();
+  spun_up_s_ = 0;
   if (is_rover())
     return brake(body_, wheels(craft_), step_s);
   if (is_in_air_ && is_fixed_wing())
@@ -75,6 +76,10 @@ void mover::go(const heading_for& place, const pace& how_fast, double step_s) {
     return hold(step_s);
   if (is_fixed_wing())
     return fly_wing({place.way.bearing_deg, 0}, place.altitude_m, how_fast, step_s);
+  if (!is_in_air_ && spun_up_s_ < craft_.spool_up_s) {
+    spun_up_s_ += step_s;
+    return hold(step_s);
+  }
   fly(body_, rotors(craft_),
       {place.way, place.altitude_m, how_fast.speed_mps, how_fast.climb_mps, how_fast.descent_mps, place.stops}, step_s);
   meet_ground();

@@ -62,6 +62,7 @@ private:
   bool is_in_air_ = false;
   bool is_blocked_ = false;
   std::vector<position> rally_points_;
+  double spun_up_s_ = 0;       // since its motors run, while it was told to climb
   std::optional<way> circled_; // by a fixed wing that holds
 };
 

@@ -107,7 +107,8 @@ protected:
     flight.say(operators::command_kind::start);
     if (to == moment::starting)
       return flight.run_until_phase(phase::starting, 5);
-    if (!flight.run_until_phase(phase::flying, 60))
+    const auto is_off = [&] { return flight.vehicle().describe().in_air || sim::drives(GetParam()); };
+    if (!flight.run_until_phase(phase::flying, 60) || !flight.run_until(is_off, 10))
       return false;
     flight.run_for(2);
     switch (to) {

@@ -262,6 +262,36 @@ TEST(copter, refuses_to_disarm_in_the_air_unless_it_is_forced) {
   EXPECT_TRUE(world.run_until([&] { return !world.picture().in_air; }, 20 * s)) << "it falls";
 }
 
+// ArduCopter 4.7: MISSION_START at 46.62, ON_GROUND and STANDBY until 49.92; a DISARM 2.2 s after a start was accepted.
+TEST(copter, stands_for_3_3_s_after_a_start_while_its_rotors_spin_up_and_can_be_disarmed_then) {
+  copter_with world(2);
+  ASSERT_EQ(world.mode(guided), mav_result::accepted);
+  ASSERT_EQ(world.arm(), mav_result::accepted);
+  ASSERT_EQ(world.start(), mav_result::accepted);
+  world.run_for(3 * s);
+  EXPECT_FALSE(world.picture().in_air);
+  EXPECT_EQ(world.last<mavlink::heartbeat>()->system_status, mavlink::number(mavlink::mav_state::standby));
+  EXPECT_EQ(world.disarm(), mav_result::accepted);
+  ASSERT_EQ(world.mode(guided), mav_result::accepted);
+  ASSERT_EQ(world.arm(), mav_result::accepted);
+  ASSERT_EQ(world.start(), mav_result::accepted);
+  world.run_for(4 * s);
+  EXPECT_TRUE(world.picture().in_air);
+  EXPECT_EQ(world.disarm(), mav_result::failed);
+}
+
+TEST(copter, held_while_its_rotors_spin_up_it_takes_off_when_it_is_in_auto_again) {
+  copter_with world(2);
+  ASSERT_EQ(world.mode(guided), mav_result::accepted);
+  ASSERT_EQ(world.arm(), mav_result::accepted);
+  ASSERT_EQ(world.start(), mav_result::accepted);
+  world.run_for(1 * s);
+  ASSERT_EQ(world.mode(copter_loiter), mav_result::accepted);
+  world.run_for(1 * s);
+  ASSERT_EQ(world.mode(automatic), mav_result::accepted);
+  EXPECT_TRUE(world.run_until([&] { return world.picture().in_air; }, 5 * s));
+}
+
 TEST(copter, takes_reposition_as_command_int_alone) {
   copter_with world(0);
   EXPECT_EQ(world.command(mav_cmd::do_reposition, {.p1 = -1, .p2 = 1}), mav_result::unsupported);

@@ -56,6 +56,19 @@ TEST(px4, arms_on_mission_start) {
   EXPECT_EQ(beat.system_status, mavlink::number(mavlink::mav_state::active));
 }
 
+// PX4 1.17: armed at 27.73, disarmed by command 0.5 s after it before; "Takeoff detected" at 29.47.
+TEST(px4, stands_for_1_8_s_after_a_start_while_its_rotors_spin_up_and_can_be_disarmed_then) {
+  px4_with world(2);
+  ASSERT_EQ(world.start(), mav_result::accepted);
+  world.run_for(1'500 * ms);
+  EXPECT_FALSE(world.picture().in_air);
+  EXPECT_EQ(world.command(mav_cmd::component_arm_disarm), mav_result::accepted);
+  ASSERT_EQ(world.start(), mav_result::accepted);
+  world.run_for(2'500 * ms);
+  EXPECT_TRUE(world.picture().in_air);
+  EXPECT_EQ(world.command(mav_cmd::component_arm_disarm), mav_result::temporarily_rejected);
+}
+
 TEST(px4, denies_mission_start_with_first_5_last_2) { EXPECT_EQ(px4_with(6).start(5, 2), mav_result::denied); }
 
 TEST(px4, denies_mission_start_without_a_mission_or_beyond_it) {

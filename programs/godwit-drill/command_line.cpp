@@ -22,6 +22,9 @@ const char* purpose_of(flight_drill which) {
     return "Missions of the whole daemon in virtual time, with faults and people drawn from seeds.";
   case flight_drill::interventions:
     return "Missions in virtual time in which people act within a second of godwit's orders, drawn from seeds.";
+  case flight_drill::starts:
+    return "Missions in virtual time whose line is cut, also one way, as an order goes out, with people, drawn from "
+           "seeds.";
   case flight_drill::actors:
     return "Actors throw at each crash point, two at once, until they are given up, or hang, in each part of a flight.";
   case flight_drill::process:

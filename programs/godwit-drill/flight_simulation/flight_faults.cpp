@@ -117,9 +117,13 @@ void flight_simulation::switch_mode(std::uint32_t custom_mode, mode_form how) {
   person_.change_mode(who_, custom_mode, how);
 }
 
-void flight_simulation::cut_line(double seconds) {
-  note("the line is cut for " + std::to_string(seconds) + " s");
-  line_.cut(now_ns_ + ns_of(seconds));
+void flight_simulation::cut_line(double seconds, std::optional<sim::way> one) {
+  const std::string which = !one ? "" : *one == sim::way::in ? " to the vehicle" : " from the vehicle";
+  note("the line" + which + " is cut for " + std::to_string(seconds) + " s");
+  if (one)
+    line_.cut(*one, now_ns_ + ns_of(seconds));
+  else
+    line_.cut(now_ns_ + ns_of(seconds));
 }
 
 void flight_simulation::cut_station(double seconds) {

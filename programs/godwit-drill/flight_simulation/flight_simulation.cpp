@@ -307,14 +307,18 @@ void flight_simulation::person_sends(std::span<const std::byte> bytes) {
 }
 
 void flight_simulation::when_ordered(int skip, std::int64_t after_ns, std::function<void()> what) {
-  at_order_ = planned_act{skip, after_ns, std::nullopt, std::move(what)};
+  const auto is_order = [this](const mavlink::frame_view& frame) {
+    return frame.id() == mavlink::mission_count::message_id || moving_order_in(frame, who_) != moving_order::none;
+  };
+  at_order_ = planned_act{is_order, skip, after_ns, std::nullopt, std::move(what)};
+}
+
+void flight_simulation::when_sent(frame_filter is_it, std::int64_t after_ns, std::function<void()> what) {
+  at_order_ = planned_act{std::move(is_it), 0, after_ns, std::nullopt, std::move(what)};
 }
 
 void flight_simulation::look_at_order(const mavlink::frame_view& frame) {
-  if (!at_order_ || at_order_->at_ns || frame.from() != godwit_id)
-    return;
-  const bool brings_plan = frame.id() == mavlink::mission_count::message_id;
-  if (!brings_plan && moving_order_in(frame, who_) == moving_order::none)
+  if (!at_order_ || at_order_->at_ns || frame.from() != godwit_id || !at_order_->is_it(frame))
     return;
   if (at_order_->skip-- == 0)
     at_order_->at_ns = now_ns_ + at_order_->after_ns;

@@ -132,7 +132,8 @@ public:
   void slow_journal(double sync_s);
   // As a pilot's switch would, without godwit knowing.
   void switch_mode(std::uint32_t custom_mode, mode_form how = mode_form::set_mode);
-  void cut_line(double seconds);
+  // Both ways; or one: then godwit is not heard (in), or hears nothing (out).
+  void cut_line(double seconds, std::optional<sim::way> one = std::nullopt);
   void set_line(const sim::line_faults& faults) { line_.set(faults); }
   void cut_station(double seconds);
   void cut_service(double seconds);
@@ -157,6 +158,9 @@ public:
   // WHAT is done AFTER_NS after the moment in which godwit sends an order, SKIP ones passed over: one that moves the
   // vehicle, or brings it a plan. One is planned at a time.
   void when_ordered(int skip, std::int64_t after_ns, std::function<void()> what);
+  // The same, of the first frame of godwit that IS_IT.
+  using frame_filter = std::function<bool(const io::mavlink::frame_view&)>;
+  void when_sent(frame_filter is_it, std::int64_t after_ns, std::function<void()> what);
   [[nodiscard]] bool has_planned_act() const { return at_order_.has_value(); }
   void forget_planned_act() { at_order_.reset(); }
   [[nodiscard]] const people_audit& audit() const { return audit_; }
@@ -274,6 +278,7 @@ private:
   };
   std::optional<planned> planned_;
   struct planned_act {
+    frame_filter is_it;
     int skip = 0;
     std::int64_t after_ns = 0;
     std::optional<std::int64_t> at_ns; // the order was sent

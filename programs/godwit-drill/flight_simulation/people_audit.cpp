@@ -150,6 +150,8 @@ void people_audit::on_handled(const mavlink::frame_view& frame, bool is_persons,
                               const sim::vehicle_picture& after, std::int64_t now_ns) {
   const bool changes_mode = before.mode != after.mode;
   const bool disarms = before.armed && !after.armed;
+  if (is_persons && !before.armed && after.armed)
+    armed_ns_ = now_ns;
   if (!is_persons) {
     const auto* mode = mode_in(frame, who_);
     const bool is_same_mode = act_ && !act_->is_disarm && mode != nullptr && mode->name == act_->mode;
@@ -173,6 +175,7 @@ void people_audit::on_handled(const mavlink::frame_view& frame, bool is_persons,
 
 void people_audit::on_release() {
   act_.reset();
+  armed_ns_.reset();
   on_word();
 }
 
@@ -187,7 +190,7 @@ bool people_audit::is_known(const held_act& act, std::int64_t now_ns) const {
     return true;
   if (act.is_as_godwits)
     return false;
-  return now_ns > act.at_ns + shown_within_ns || (act.shown_ns && now_ns > *act.shown_ns + heeded_within_ns);
+  return act.shown_ns ? now_ns > *act.shown_ns + heeded_within_ns : now_ns > act.at_ns + shown_within_ns;
 }
 
 // -- what godwit sends ------------------------------------------------------------------------------
@@ -200,8 +203,12 @@ void people_audit::on_sent(const mavlink::frame_view& frame, std::int64_t now_ns
     return;
   }
   const auto command = command_in(frame);
-  if (command && command->command == number(mav_cmd::component_arm_disarm) && command->param1 != 1)
+  if (command && command->command == number(mav_cmd::component_arm_disarm) && command->param1 != 1) {
     sent_ns_.erase(command->command); // what is accepted next is a disarm
+    if (armed_ns_ && now_seen_().armed)
+      find("disarm: DISARM was sent " + seconds(now_ns - *armed_ns_) + " after a person had armed it", now_ns);
+    armed_ns_.reset();
+  }
   if (const auto order = moving_order_in(frame, who_); order != moving_order::none)
     judge_order(order, frame, now_ns);
 }

@@ -3,6 +3,7 @@
 //   taken      once a person has changed the mode or disarmed, and a heartbeat could show it, no order of godwit that
 //              moves the vehicle goes out until an operator lets godwit go on
 //   foreign    no order that flies the plan goes out while the vehicle holds one that somebody else has brought
+//   disarm     who has armed it by hand is not disarmed, until an operator lets godwit go on
 //   again      an ARM or a start that the vehicle has accepted is never sent again, but on a person's word
 //   answer     what a station is acknowledged as ACCEPTED the vehicle does
 //   swallowed  a station's hold, return, landing or mode of a pilot is done in flight, also without an answer:
@@ -121,6 +122,7 @@ private:
   sim::personality who_;
   picture now_seen_;
   std::optional<held_act> act_;
+  std::optional<std::int64_t> armed_ns_; // by a person, and it is since
   std::optional<std::int64_t> foreign_since_ns_;
   std::map<std::uint16_t, std::int64_t> accepted_ns_; // ARM and starts of godwit, since the last word of a person
   std::map<std::uint16_t, std::int64_t> sent_ns_;     // and when such a one was sent last

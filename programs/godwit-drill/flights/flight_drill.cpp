@@ -16,6 +16,7 @@
 
 #include "programs/common/command.hpp"
 #include "programs/godwit-drill/flights/case_runner.hpp"
+#include "programs/godwit-drill/flights/cut_flight.hpp"
 #include "programs/godwit-drill/flights/drill_book.hpp"
 #include "programs/godwit-drill/flights/flight_case.hpp"
 #include "programs/godwit-drill/flights/intervention_flight.hpp"
@@ -74,6 +75,7 @@ std::vector<flight_case> cases_of(const flight_drill_options& options) {
   switch (options.which) {
   case flight_drill::simulate:
   case flight_drill::interventions:
+  case flight_drill::starts:
     return {};
   case flight_drill::actors:
     return joined(joined(actor_cases(which), actor_loss_cases(which)), scan_cases(which));
@@ -104,13 +106,16 @@ std::string words_of(const flight_drill_options& options) {
 
 flight_outcome fly_seed(const flight_drill_options& options, std::uint64_t seed, const flight_wishes& wishes,
                         const std::vector<std::uint64_t>& without) {
-  return options.which == flight_drill::simulate ? fly_random(seed, options.who, wishes, without)
-                                                 : fly_intervention(seed, options.who, wishes, without);
+  const auto fly = options.which == flight_drill::simulate ? fly_random
+                   : options.which == flight_drill::starts ? fly_cut
+                                                           : fly_intervention;
+  return fly(seed, options.who, wishes, without);
 }
 
 std::uint64_t most_faults_of(flight_drill which) {
   return which == flight_drill::simulate        ? most_faults
          : which == flight_drill::interventions ? most_interventions + 1
+         : which == flight_drill::starts        ? most_cuts + 1
                                                 : 0;
 }
 

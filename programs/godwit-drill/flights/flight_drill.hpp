@@ -13,9 +13,9 @@
 
 namespace godwit::drill {
 
-enum class flight_drill { simulate, interventions, actors, process, disk, links, people, clock };
+enum class flight_drill { simulate, interventions, starts, actors, process, disk, links, people, clock };
 
-GODWIT_ENUM_NAMES(flight_drill, simulate, interventions, actors, process, disk, links, people, clock);
+GODWIT_ENUM_NAMES(flight_drill, simulate, interventions, starts, actors, process, disk, links, people, clock);
 
 struct seed_range {
   std::uint64_t first = 1;
@@ -24,7 +24,7 @@ struct seed_range {
 
 // Its flights are drawn from seeds; those of the others are enumerated.
 [[nodiscard]] constexpr bool is_by_seed(flight_drill which) {
-  return which == flight_drill::simulate || which == flight_drill::interventions;
+  return which == flight_drill::simulate || which == flight_drill::interventions || which == flight_drill::starts;
 }
 
 // "A..B" or "A". Nothing: it is neither, or A is after B.

@@ -20,7 +20,6 @@ using operators::command_kind;
 enum class whereabouts { other_line, same_line, ground_port };
 enum class act { disarm, mode, upload, choose_item, set_home };
 
-constexpr std::uint64_t far_from_other_seeds = 0x9e37'79b9'7f4a'7c15;
 constexpr double foreign_is_m_away = 150; // so that a report about it is not true of ours
 constexpr std::uint64_t one_in_flies_on = 4;
 

@@ -34,7 +34,6 @@ enum class trouble {
 };
 constexpr std::size_t kinds_of_trouble = 11;
 constexpr std::size_t most_troubles = most_faults - 1;
-constexpr std::uint64_t far_from_other_seeds = 0x9e37'79b9'7f4a'7c15;
 constexpr double on_its_way_s = 0.3; // at most, what was sent before somebody was seen: the delay of a line, overtaken
 constexpr std::uint64_t known_vehicles = 3; // the plane is not among them (docs/roadmap.md)
 // By the seed itself, so that the others stay as they are.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -26,6 +27,9 @@ struct flight_wishes {
   std::optional<double> stream_hz = {};
   std::string trace_folder = {}; // what its actors did is kept there; empty: it is not
 };
+
+// What a drill by seed adds for each of its numbered faults, so that each is drawn for itself.
+inline constexpr std::uint64_t far_from_other_seeds = 0x9e37'79b9'7f4a'7c15;
 
 class watched_flight {
 public:

@@ -6,7 +6,7 @@
 namespace godwit::sim {
 
 void faulty_line::restore() {
-  cut_until_ns_ = std::numeric_limits<std::int64_t>::min();
+  cut(std::numeric_limits<std::int64_t>::min());
   for (auto& each : ways_)
     each.settings.is_cut = false;
 }

@@ -60,12 +60,13 @@ public:
   void set(const line_faults& faults) { ways_[0].settings = faults.in, ways_[1].settings = faults.out; }
   [[nodiscard]] line_faults faults() const { return {ways_[0].settings, ways_[1].settings}; }
 
-  // Both ways, beside what the settings say; `never`: until it is restored.
-  void cut(std::int64_t until_ns) { cut_until_ns_ = until_ns; }
+  // Both ways or one, beside what the settings say; `never`: until it is restored.
+  void cut(std::int64_t until_ns) { ways_[0].cut_until_ns = ways_[1].cut_until_ns = until_ns; }
+  void cut(way to, std::int64_t until_ns) { of(to).cut_until_ns = until_ns; }
   // Ends every cut, also those of the settings.
   void restore();
   [[nodiscard]] bool is_cut(way to, std::int64_t now_ns) const {
-    return now_ns < cut_until_ns_ || of(to).settings.is_cut;
+    return now_ns < of(to).cut_until_ns || of(to).settings.is_cut;
   }
 
   void send(way to, std::span<const std::byte> frame, std::int64_t now_ns);
@@ -85,6 +86,7 @@ private:
     line_counters counters;
     std::vector<under_way> waiting; // a heap: the next one in front
     std::uint64_t numbered = 0;
+    std::int64_t cut_until_ns = std::numeric_limits<std::int64_t>::min();
     std::int64_t in_order_ns = 0; // no frame comes before this, unless it is one that overtakes
   };
 
@@ -102,7 +104,6 @@ private:
   runtime::random_source random_;
   receiver deliver_;
   std::array<one_way, 2> ways_;
-  std::int64_t cut_until_ns_ = std::numeric_limits<std::int64_t>::min();
 };
 
 } // namespace godwit::sim

@@ -347,6 +347,26 @@ TEST(people_audit, an_acknowledgement_is_true_when_the_vehicle_has_done_it_in_ti
   EXPECT_TRUE(world.audit.findings().empty());
 }
 
+// -- disarm -----------------------------------------------------------------------------------------
+
+TEST(people_audit, finds_a_disarm_of_what_a_person_has_armed_unless_an_operator_lets_godwit_go_on) {
+  const auto arm = audited_px4::command_of(mav_cmd::component_arm_disarm, 1);
+  audited_px4 world;
+  world.become("AUTO.LOITER", true);
+  world.godwit_sends(disarm);
+  EXPECT_EQ(world.found("disarm"), 0U) << "godwit has armed it";
+  world.become("AUTO.LOITER", false);
+  world.person_makes("AUTO.LOITER", true, arm);
+  world.wait(1 * s);
+  world.godwit_sends(disarm);
+  EXPECT_EQ(world.found("disarm: DISARM was sent 1.00 s after"), 1U);
+  world.become("AUTO.LOITER", false);
+  world.person_makes("AUTO.LOITER", true, arm);
+  world.audit.on_release();
+  world.godwit_sends(disarm);
+  EXPECT_EQ(world.found("disarm"), 1U);
+}
+
 TEST(people_audit, finds_a_mode_of_a_station_that_is_swallowed_in_flight) {
   audited_px4 world;
   world.become("AUTO.MISSION", true, true);

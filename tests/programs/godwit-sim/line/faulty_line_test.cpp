@@ -184,6 +184,15 @@ TEST(faulty_line, a_cut_for_some_time_ends_by_itself) {
   EXPECT_EQ(on.numbers(), std::vector<std::uint64_t>{2});
 }
 
+TEST(faulty_line, one_way_can_be_cut_alone) {
+  listened_line on("none");
+  on.line.cut(way::in, on.now_ns + 5 * ms);
+  EXPECT_TRUE(on.line.is_cut(way::in, on.now_ns));
+  EXPECT_FALSE(on.line.is_cut(way::out, on.now_ns));
+  on.line.restore();
+  EXPECT_FALSE(on.line.is_cut(way::in, on.now_ns));
+}
+
 TEST(faulty_line, what_is_under_way_is_lost_when_it_arrives_during_a_cut) {
   listened_line on("delay=10ms");
   on.send(way::out, 1); // arrives at 10 ms, during the cut

@@ -48,6 +48,7 @@ struct vehicle_settings {
   bool has_payload = false;         // GRIP_ENABLE and CAM1_TYPE 1, or TRIG_MODE 4; off, as by default
   int aircraft = 0;                 // others, that a receiver on it reports; at most max_other_aircraft
   bool holds_when_landed = false;   // px4: as a VTOL of it was seen to, after the landing of a mission
+  bool has_sticks = true;           // px4: a pilot's; off, the modes that need them can not be taken once it is armed
   bool beats_at_mode_change = true; // ardupilot, plane: off for what was recorded before they did
 };
 

@@ -23,7 +23,7 @@ std::unique_ptr<autopilot> make_autopilot(const vehicle_settings& settings, cons
   case personality::rover:
     return std::make_unique<rover>(with, settings.arms_on_start);
   case personality::px4:
-    return std::make_unique<px4>(with, settings.holds_when_landed);
+    return std::make_unique<px4>(with, settings.holds_when_landed, settings.has_sticks);
   case personality::ardupilot:
     return std::make_unique<copter>(with);
   case personality::plane:

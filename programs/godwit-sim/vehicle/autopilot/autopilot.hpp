@@ -142,7 +142,8 @@ protected:
   // By a command or a message; MODE is none where the number is not known. Changes it if it may.
   virtual answer change_mode(const flight_mode* mode, std::uint32_t number) = 0;
   [[nodiscard]] virtual std::uint32_t mode_in(const role::order& what) const;
-  virtual void on_unknown_mode(const role::order&) {}
+  // Before it is looked at.
+  virtual void on_mode_commanded(const role::order&) {}
   virtual void on_mode_left(const flight_mode&) {}
   virtual void on_mode_entered(const flight_mode&) {}
   // Asked when it is armed on the ground.

@@ -86,11 +86,9 @@ mav_result autopilot::set_mode(const role::order& what) {
   const auto is_custom = std::isfinite(what.param1) && std::fmod(what.param1, 2.0F) == 1; // its lowest bit
   if (!is_custom)
     return mav_result::denied;
+  on_mode_commanded(what);
   const auto number = mode_in(what);
-  const auto* mode = find_mode(vehicle_traits().modes, number);
-  if (mode == nullptr)
-    on_unknown_mode(what);
-  return change_mode(mode, number);
+  return change_mode(find_mode(vehicle_traits().modes, number), number);
 }
 
 mav_result autopilot::return_home(const role::order&) {

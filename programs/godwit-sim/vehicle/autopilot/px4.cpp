@@ -21,7 +21,8 @@ constexpr std::string_view health_failure = "Arming denied: Resolve system healt
 
 } // namespace
 
-px4::px4(const equipment& tools, bool holds_when_landed) : autopilot(tools), holds_when_landed_(holds_when_landed) {
+px4::px4(const equipment& tools, bool holds_when_landed, bool has_sticks)
+    : autopilot(tools), holds_when_landed_(holds_when_landed), has_sticks_(has_sticks) {
   with().out.hold_texts_back(true);
 }
 
@@ -46,15 +47,16 @@ std::uint32_t px4::mode_in(const role::order& what) const {
   return px4_mode(static_cast<std::uint32_t>(what.param2), static_cast<std::uint32_t>(what.param3));
 }
 
-// It answers such a command twice: once for having heard it.
-void px4::on_unknown_mode(const role::order& what) { acknowledge(what, answer::accepted); }
+// It answers twice: once for having heard it (MavlinkReceiver::handle_message_command_both), and then Commander does.
+void px4::on_mode_commanded(const role::order& what) { acknowledge(what, answer::accepted); }
 
 autopilot::answer px4::change_mode(const flight_mode* mode, std::uint32_t) {
   if (mode == nullptr)
     return answer::accepted;
   const bool has_no_mission = mode->kind == mode_kind::mission && (run().is_empty() || is_infeasible_);
   const bool has_no_position = mode->needs_position && !state().has_position;
-  if (state().is_armed && (has_no_mission || has_no_position)) {
+  const bool has_no_sticks = mode->kind == mode_kind::manual && !has_sticks_;
+  if (state().is_armed && (has_no_mission || has_no_position || has_no_sticks)) {
     say_tabbed(mav_severity::critical, "Switching to mode '" + std::string(mode->name) + "' is currently not possible");
     return answer::temporarily_rejected;
   }

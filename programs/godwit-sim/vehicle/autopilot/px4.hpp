@@ -23,8 +23,9 @@ namespace godwit::sim {
 
 class px4 final : public autopilot {
 public:
-  // HOLDS_WHEN_LANDED: after the landing of a mission, until it disarms (PX4 1.18's VTOL was seen to).
-  explicit px4(const equipment& tools, bool holds_when_landed = false);
+  // HOLDS_WHEN_LANDED: after the landing of a mission, until it disarms (PX4 1.18's VTOL was seen to). HAS_STICKS: of a
+  // pilot; without any the modes that need them can not be taken once it is armed.
+  explicit px4(const equipment& tools, bool holds_when_landed = false, bool has_sticks = true);
 
   using autopilot::take;
   void take(const mavlink::mission_set_current& m) override;
@@ -50,7 +51,7 @@ protected:
   [[nodiscard]] std::optional<refusal> why_not_disarm(bool forced) const override;
   answer change_mode(const flight_mode* mode, std::uint32_t number) override;
   [[nodiscard]] std::uint32_t mode_in(const role::order& what) const override;
-  void on_unknown_mode(const role::order& what) override;
+  void on_mode_commanded(const role::order& what) override;
   void on_mode_entered(const flight_mode& mode) override;
   [[nodiscard]] bool may_move_home() const override;
   void on_armed() override;
@@ -92,6 +93,7 @@ private:
   double max_distance_m_ = 0;
   bool is_infeasible_ = false; // the plan that it holds, as it was checked
   bool holds_when_landed_;
+  bool has_sticks_;
   std::int64_t disarms_at_ns_ = never_ns;
   std::int64_t unchecked_until_ns_ = 0; // its plan, after a restart
   std::int64_t holds_at_ns_ = never_ns; // in its mission mode, and its mission is finished

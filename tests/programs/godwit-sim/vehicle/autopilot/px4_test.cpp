@@ -273,6 +273,26 @@ TEST(px4, accepts_a_mode_that_does_not_exist_and_says_so_twice) {
   EXPECT_EQ(world.picture().mode, mode);
 }
 
+// PX4 1.17: at each DO_SET_MODE ACCEPTED at once, and what its commander makes of it 1 to 8 ms later. In flight without
+// sticks: ACK 0 to POSCTL, "Switching to Position is currently not available", and it stays in HOLD.
+TEST(px4, accepts_a_mode_before_it_refuses_it_as_one_that_needs_sticks_and_there_are_none) {
+  vehicle_world world(vehicle_settings{.who = personality::px4, .has_sticks = false});
+  ASSERT_EQ(world.upload(flight_of(2, world.home(), personality::px4)), mav_mission_result::accepted);
+  ASSERT_EQ(world.command(mav_cmd::mission_start), mav_result::accepted);
+  world.run_for(5 * s);
+  const auto answers_to = [&](const order_params& mode) {
+    world.mark();
+    static_cast<void>(world.command(mav_cmd::do_set_mode, mode));
+    std::vector<int> results;
+    for (const auto& each : world.each<mavlink::command_ack>())
+      results.push_back(each.result);
+    return results;
+  };
+  EXPECT_EQ(answers_to(loiter_mode), (std::vector{0, 0}));
+  EXPECT_EQ(answers_to({.p1 = 1, .p2 = 3}), (std::vector{0, 1}));
+  EXPECT_EQ(world.picture().mode, "AUTO.LOITER");
+}
+
 TEST(px4, pauses_in_loiter_and_goes_on_in_mission) {
   px4_with world(3);
   ASSERT_TRUE(world.fly_to(2));

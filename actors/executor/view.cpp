@@ -25,6 +25,10 @@ constexpr std::uint8_t satellites_unknown = 255;
 // Without a landing detector's word, so much above home is off the ground.
 constexpr double off_the_ground_m = 1;
 
+// In a longer silence somebody may disarm the vehicle and arm it again. Five heartbeats a second come in a start, and
+// one afterwards.
+constexpr std::int64_t gap_ns = 1'250'000'000;
+
 // Where a rover stops that was told to return.
 constexpr double at_home_m = 8;
 
@@ -69,7 +73,7 @@ void vehicle_view::take(const io::mavlink::heartbeat& m, std::int64_t now_ns) {
   is_armed_ = io::mavlink::is_armed(m);
   is_critical_ = m.system_status == io::mavlink::number(io::mavlink::mav_state::critical);
   ++heartbeats_;
-  if (heartbeat_ns_ != 0 && now_ns - heartbeat_ns_ > flight::silence_ns)
+  if (heartbeat_ns_ != 0 && now_ns - heartbeat_ns_ > gap_ns)
     unbroken_since_ns_ = now_ns;
   heartbeat_ns_ = now_ns;
 }

@@ -107,7 +107,7 @@ public:
   // What it has warned of last; empty: of nothing since then.
   [[nodiscard]] std::string warned_since(std::int64_t ns) const;
   [[nodiscard]] std::int64_t heartbeat_ns() const { return heartbeat_ns_; } // when the newest came
-  // When it was heard again after the newest silence; 0: there was none.
+  // When it was heard again after the newest silence in which somebody else may have armed it; 0: there was none.
   [[nodiscard]] std::int64_t unbroken_since_ns() const { return unbroken_since_ns_; }
   [[nodiscard]] std::int64_t place_heard_ns() const { return place_heard_ns_; }
 

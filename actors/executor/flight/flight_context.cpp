@@ -115,7 +115,7 @@ bool flight_context::is_left_armed() const {
 }
 
 bool flight_context::may_disarm() const {
-  return is_left_armed() && runner.is_arm_accepted() && view.unbroken_since_ns() <= runner.armed_ns();
+  return is_left_armed() && runner.is_armed_by_it(view);
 }
 
 std::vector<std::uint32_t> flight_context::modes_after_disarm() const {

@@ -159,6 +159,8 @@ void task_runner::begin_step(const world& w) {
     return fail_unsent(
         w, "godwit stood still, or did not hear the vehicle, for more than a second; a person has to repeat the "
            "command");
+  if (is_at<disarm>() && !is_armed_by_it(w.view)) // as it was observed last
+    return fail("it was not heard throughout since it was armed, and somebody else may have armed it");
   const auto allowed = may_send(intended(w), w.authority, w.seen, w.now_ns);
   if (allowed == permission::not_ours || allowed == permission::wait) // control_watch ends it, or continues it
     return enter(stage::pausing, w.now_ns + until_heartbeat_ns);

@@ -91,8 +91,11 @@ public:
   // The vehicle is armed because of the task that began last, or may be.
   [[nodiscard]] bool has_armed() const { return armed_ns_ != 0; }
   [[nodiscard]] std::int64_t armed_ns() const { return armed_ns_; }
-  // The vehicle has acknowledged it, also when its task has ended meanwhile.
-  [[nodiscard]] bool is_arm_accepted() const { return is_arm_accepted_; }
+  // The vehicle has acknowledged it, also when its task has ended meanwhile, and was heard throughout since: nobody
+  // else has armed it.
+  [[nodiscard]] bool is_armed_by_it(const vehicle_view& view) const {
+    return has_armed() && is_arm_accepted_ && view.unbroken_since_ns() <= armed_ns_;
+  }
   // The start of an incarnation before may have.
   void assume_armed() {
     armed_ns_ = 1; // long ago

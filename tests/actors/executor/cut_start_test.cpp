@@ -295,6 +295,47 @@ TEST_P(cut_start, what_was_ordered_and_obeyed_unheard_is_followed_when_the_vehic
   }
 }
 
+TEST_P(cut_start, a_return_that_was_obeyed_unheard_is_followed_after_a_crash_as_well) {
+  for (const bool is_killed : {false, true})
+    for (const double after_s : {0.0, 0.002, 0.05, 0.5}) {
+      flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+      begin(world);
+      ASSERT_TRUE(world.run_until([&] { return tests::is_told(world, progress_kind::started, "w2"); }, 600))
+          << world.story();
+      ASSERT_TRUE(world.say(command_kind::come_home).is_taken) << world.sentence();
+      world.run_for(after_s);
+      world.cut_line(3);
+      world.run_for(1);
+      if (is_killed)
+        world.crash_all();
+      else
+        world.crash();
+      world.run_for(10);
+      EXPECT_NE(world.durable().status.now, phase::flying) << is_killed << after_s << world.story();
+      ASSERT_TRUE(world.run_until_phase(phase::aborted, 2'000)) << is_killed << after_s << world.story();
+    }
+}
+
+// The disarm was decided on in the silence.
+TEST_P(cut_start, who_has_armed_it_by_hand_in_a_silence_is_not_disarmed_when_it_is_heard_again) {
+  const bool is_px4 = GetParam() == sim::personality::px4;
+  for (const double cut_s : {1.6, 2.4, 5.0}) {
+    flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+    begin_until(world, &flight_world::arms);
+    world.lose_command(
+        io::mavlink::number(is_px4 ? io::mavlink::mav_cmd::do_set_mode : io::mavlink::mav_cmd::mission_start), 100);
+    ASSERT_TRUE(world.run_until([&] { return world.starts() > 0; }, 20)) << world.story();
+    world.run_for(cut_s < 4 ? 3.5 : 0.5);
+    world.cut_line(cut_s);
+    world.run_for(0.5);
+    world.disarm_by_hand();
+    world.run_for(0.5);
+    world.arm_by_hand();
+    world.run_for(8);
+    EXPECT_EQ(world.disarms(), 0) << cut_s << "\n" << world.story();
+  }
+}
+
 // Nobody sees what it would move: a person may have stopped the vehicle after the first.
 TEST_P(cut_start, a_return_is_not_repeated_while_the_vehicle_is_not_heard) {
   flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});

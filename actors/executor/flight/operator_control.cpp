@@ -184,6 +184,7 @@ bool operator_control::go_on(effects& out, instant now) {
   if (!flight_.is_in_flight()) {
     if (flight_.s.status.now != phase::paused)
       return false;
+    flight_.authority.end(); // that of a start that failed
     phases_.go(out, trigger::prepare_again);
     return true;
   }

@@ -336,6 +336,40 @@ TEST_P(cut_start, who_has_armed_it_by_hand_in_a_silence_is_not_disarmed_when_it_
   }
 }
 
+TEST_P(cut_start, whoever_holds_it_in_the_air_has_it_also_when_the_executor_died_in_the_silence) {
+  if (GetParam() == sim::personality::rover)
+    return; // it stands, and is told as armed
+  flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+  begin_until(world, &flight_world::starts);
+  world.cut_line(24);
+  world.run_for(12);
+  world.crash();
+  world.run_for(4);
+  world.switch_mode(drill::pilot_mode(GetParam()));
+  world.run_for(12);
+  ASSERT_TRUE(world.vehicle().describe().in_air) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::taken_over) << world.story();
+}
+
+// A pilot's mode after it is none of a flight that is prepared anew.
+TEST_P(cut_start, a_flight_that_is_prepared_again_after_a_restart_in_its_start_becomes_ready) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+  begin_until(world, &flight_world::arms);
+  world.cut_line(1);
+  world.run_for(0.6);
+  world.crash();
+  world.run_for(1);
+  world.switch_mode(drill::hold_mode(GetParam()));
+  world.run_for(4);
+  ASSERT_EQ(world.durable().status.now, phase::paused) << world.story();
+  if (world.durable().status.cause == pause_cause::taken_over) {
+    ASSERT_TRUE(world.say(command_kind::hand_back).is_taken) << world.sentence();
+    world.run_for(0.5);
+  }
+  ASSERT_TRUE(world.say(command_kind::resume).is_taken) << world.sentence();
+  EXPECT_TRUE(world.run_until_phase(phase::ready, 120)) << world.story();
+}
+
 // Nobody sees what it would move: a person may have stopped the vehicle after the first.
 TEST_P(cut_start, a_return_is_not_repeated_while_the_vehicle_is_not_heard) {
   flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});

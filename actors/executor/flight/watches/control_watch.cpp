@@ -178,9 +178,11 @@ void control_watch::look_at_left_armed(effects& out, instant now) {
   auto& runner = flight_.runner;
   if (!flight_.view.is_armed() && flight_.view.heartbeat_ns() > runner.armed_ns() + flight::silence_ns)
     runner.forget_armed(); // who arms it from now on is somebody else
-  if (waits && runner.has_armed() && flight_.is_in_air() && !flight_.view.is_in(flight::mode_kind::mission))
+  const bool may_be_started = status.cause == pause_cause::not_done || status.cause == pause_cause::restarted;
+  if (waits && (runner.has_armed() || may_be_started) && flight_.is_in_air() &&
+      !flight_.view.is_in(flight::mode_kind::mission))
     return yield(out, trigger::person_took_over,
-                 "godwit armed the vehicle for a start that was not heard, and it is in the air" + in_its_mode());
+                 "after a start that was not heard the vehicle is in the air, and not by its mission" + in_its_mode());
   const bool is_left =
       waits && flight_.is_left_armed() && !flight_.view.is_moving() && !flight_.view.is_in(flight::mode_kind::mission);
   if (flight_.may_disarm() && is_left && !reason_before_ && now.now_ns - runner.armed_ns() <= flight::silence_ns)

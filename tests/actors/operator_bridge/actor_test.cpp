@@ -19,7 +19,7 @@ using runtime::crash_point;
 constexpr std::array points{crash_point::before_handler, crash_point::after_handler, crash_point::after_commit,
                             crash_point::before_dispatch};
 
-const operators::principal local{"world", role::engineer, std::string(operators::local_session)};
+const operators::principal local{"desk", role::engineer, std::string(operators::local_session)};
 
 // Takes all that it is told, or is silent.
 class executor_stand_in final : public runtime::actor_base<executor_handle> {
@@ -116,10 +116,10 @@ TEST(operator_bridge, who_has_control_is_told_when_it_is_on_the_disk_and_by_each
   EXPECT_EQ(p.control.size(), 1U) << "it may never have been";
   p.world.journal().hold(false);
   p.world.run_until_idle();
-  EXPECT_EQ(p.control, (std::vector<std::string>{"", "world"}));
+  EXPECT_EQ(p.control, (std::vector<std::string>{"", "desk"}));
   p.world.kill("operator_bridge");
   p.world.advance(1s);
-  EXPECT_EQ(p.control.back(), "world");
+  EXPECT_EQ(p.control.back(), "desk");
   EXPECT_EQ(p.control.size(), 3U);
   p.world.advance(11s);
   EXPECT_EQ(p.control.back(), "") << "who has it is silent";

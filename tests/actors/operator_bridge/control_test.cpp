@@ -76,7 +76,7 @@ TEST(operator_control, is_taken_from_others_by_an_engineer_alone) {
   (void)world.pilot();
   EXPECT_FALSE(world.control(world.log_in("bob"), control_act::take_over).is_done);
   EXPECT_TRUE(world.control(local(), control_act::take_over).is_done);
-  EXPECT_EQ(world.durable.control->who.name, "world");
+  EXPECT_EQ(world.durable.control->who.name, "desk");
 }
 
 TEST(operator_control, is_handed_over_to_an_operator_who_is_logged_in) {

@@ -24,65 +24,65 @@ constexpr std::array acts{control_act::take, control_act::take_over, control_act
 class world {
 public:
   world() {
-    people = {world.log_in("anna"),
-              world.log_in("bob"),
-              world.log_in("eve", role::viewer),
-              world.log_in("chief", role::engineer),
+    people = {bridge.log_in("anna"),
+              bridge.log_in("bob"),
+              bridge.log_in("eve", role::viewer),
+              bridge.log_in("chief", role::engineer),
               local(),
               {"mallory", role::engineer, "s77"}};
   }
 
   void say(int who, int kind, int id) {
-    auto m = world.command(people.at(static_cast<std::size_t>(who) % people.size()),
+    auto m = bridge.command(people.at(static_cast<std::size_t>(who) % people.size()),
                            kinds.at(static_cast<std::size_t>(kind) % kinds.size()),
                            id % 4 == 0 ? std::string() : "id" + std::to_string(id % 4));
     if (operators::is_stop(m.what.kind) && m.by.name != "mallory" && m.by.name != "eve")
-      revoked.insert(world.waiting.begin(), world.waiting.end());
-    const auto request = world.say(m);
+      revoked.insert(bridge.waiting.begin(), bridge.waiting.end());
+    const auto request = bridge.say(m);
     said.emplace(request, m);
     open.insert(request);
     look();
   }
   void write() {
-    world.write();
+    bridge.write();
     look();
   }
   void answer(int how) {
-    if (world.with_executor.empty())
+    if (bridge.with_executor.empty())
       return;
-    const auto which = static_cast<std::size_t>(how) % world.with_executor.size();
-    const auto number = world.with_executor[which].number;
-    world.with_executor.erase(world.with_executor.begin() + static_cast<std::ptrdiff_t>(which));
+    const auto which = static_cast<std::size_t>(how) % bridge.with_executor.size();
+    const auto number = bridge.with_executor[which].number;
+    bridge.with_executor.erase(bridge.with_executor.begin() + static_cast<std::ptrdiff_t>(which));
     if (how % 5 < 3)
-      world.answer(number, {how % 5 == 0, how % 5 == 0 ? "" : "not now", {}});
+      bridge.answer(number, {how % 5 == 0, how % 5 == 0 ? "" : "not now", {}});
     else
-      world.no_answer(number, how % 5 == 3);
+      bridge.no_answer(number, how % 5 == 3);
     look();
   }
   void crash() {
-    world.crash();
+    bridge.crash();
     open.clear(); // who waited hears nothing
     look();
   }
   void change_control(int who, int act) {
-    (void)world.control(people.at(static_cast<std::size_t>(who) % people.size()),
+    (void)bridge.control(people.at(static_cast<std::size_t>(who) % people.size()),
                         acts.at(static_cast<std::size_t>(act) % acts.size()), "bob");
   }
-  void pass(int tenths) { world.pass(tenths * s / 10); }
+  void pass(int tenths) { bridge.pass(tenths * s / 10); }
 
   // To the end: everybody answers.
   void finish() {
     write();
-    while (!world.with_executor.empty())
+    while (!bridge.with_executor.empty())
       answer(0);
     for (const auto request : open)
-      RC_ASSERT(world.answered[request] == 1);
-    for (const auto& [request, times] : world.answered)
+      RC_ASSERT(bridge.answered[request] == 1);
+    for (const auto& [request, times] : bridge.answered)
       RC_ASSERT(times == 1);
     std::map<std::tuple<std::string, std::string, command_kind>, std::set<verdict>> by_id;
     for (const auto& [request, m] : said) {
-      const auto found = world.answers.find(request);
-      if (found == world.answers.end() || m.id.empty() || operators::is_stop(m.what.kind))
+      const auto found = bridge.answers.find(request);
+      if (found == bridge.answers.end() || m.id.empty() || operators::is_stop(m.what.kind))
         continue;
       const auto is = found->second.verdict;
       if (is != verdict::busy && is != verdict::id_used)
@@ -95,16 +95,16 @@ public:
 private:
   // What was handed over since the last look.
   void look() {
-    for (; seen < world.handed.size(); ++seen) {
-      const auto& each = world.handed[seen];
+    for (; seen < bridge.handed.size(); ++seen) {
+      const auto& each = bridge.handed[seen];
       RC_ASSERT(each.what.by != "mallory" && each.what.by != "eve");
       if (operators::is_stop(each.what.kind))
         continue;
-      const auto& holder = world.durable.control;
+      const auto& holder = bridge.durable.control;
       RC_ASSERT(!revoked.contains(each.number));
-      const auto may = holder ? holder->who.name : std::string("world");
+      const auto may = holder ? holder->who.name : std::string("desk");
       RC_ASSERT(may == each.what.by);
-      const auto& all = world.durable.commands;
+      const auto& all = bridge.durable.commands;
       const auto kept = std::find_if(all.begin(), all.end(), [&](const auto& a) { return a.number == each.number; });
       RC_ASSERT(kept != all.end());
       if (!kept->id.empty()) {
@@ -114,7 +114,7 @@ private:
     }
   }
 
-  bridge_world world;
+  bridge_world bridge;
   std::vector<operators::principal> people;
   std::map<std::uint64_t, operator_command> said;
   std::set<std::uint64_t> open;

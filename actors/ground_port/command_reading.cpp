@@ -42,7 +42,7 @@ std::string name_of(mavlink::sender who) {
 
 } // namespace
 
-command reported_by(const order& what, operators::command_kind which) {
+command command_from(const order& what, operators::command_kind which) {
   command result;
   result.kind = which;
   result.by = name_of(what.from);
@@ -55,9 +55,9 @@ namespace {
 
 reading read_pause_or_continue(const order& what) {
   if (what.param1 == to_pause)
-    return reported_by(what, command_kind::pause);
+    return command_from(what, command_kind::pause);
   if (what.param1 == to_continue)
-    return reported_by(what, command_kind::resume);
+    return command_from(what, command_kind::resume);
   return refused(mav_result::denied, what, "neither 0 nor 1 was asked for");
 }
 
@@ -111,7 +111,7 @@ reading read_reposition(order what, const told_by_vehicle& told) {
   if (!what.is_in_integers && !is_px4)
     return refused(mav_result::command_int_only, what, "it is taken as COMMAND_INT");
   if (is_pause_by_reposition(what, told))
-    return reported_by(what, command_kind::pause);
+    return command_from(what, command_kind::pause);
   if (!what.is_in_integers)
     what.frame = mavlink::number(mavlink::mav_frame::global);
   const auto complete = filled_up(what, told);
@@ -132,7 +132,7 @@ reading read_reposition(order what, const told_by_vehicle& told) {
   const bool is_above_sea = *altitude == altitude_kind::above_sea;
   if (is_above_sea && !told.home_altitude_m)
     return refused(mav_result::temporarily_rejected, what, "home's altitude is not known yet");
-  auto result = reported_by(what, command_kind::go_to);
+  auto result = command_from(what, command_kind::go_to);
   result.place = mission::position{what.x, what.y, what.z - (is_above_sea ? *told.home_altitude_m : 0.0)};
   return result;
 }

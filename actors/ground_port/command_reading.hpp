@@ -63,7 +63,7 @@ struct told_by_vehicle {
 [[nodiscard]] bool is_pause_by_reposition(const vehicle_role::order& what, const told_by_vehicle& told);
 
 // Without what else the command needs.
-[[nodiscard]] operators::command reported_by(const vehicle_role::order& what, operators::command_kind which);
+[[nodiscard]] operators::command command_from(const vehicle_role::order& what, operators::command_kind which);
 
 // What is said about the order begins with this: "Go to", "Pause", "Continue".
 [[nodiscard]] std::string name_for_people(const vehicle_role::order& what);

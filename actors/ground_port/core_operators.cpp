@@ -54,7 +54,7 @@ void core::say_word(decision_context& t, const vehicle_role::order& what) {
 void core::say_word_of(decision_context& t, const vehicle_role::order& what, operators::command_kind which) {
   if (const auto heard = words_.heard_before(what, t.now.monotonic_ns))
     return answer(t, what, *heard);
-  begin_word(t, what, reported_by(what, which));
+  begin_word(t, what, command_from(what, which));
 }
 
 void core::begin_word(decision_context& t, const vehicle_role::order& what, const operators::command& command) {

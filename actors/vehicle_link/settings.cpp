@@ -15,7 +15,7 @@ std::vector<wanted_stream> default_streams() {
           {mavlink::estimator_status::message_id, 1'000, mavlink::mav_autopilot::px4},
           {mavlink::current_mode::message_id, 500, mavlink::mav_autopilot::px4, true},
           // One aircraft a message; a PX4 sends them by itself.
-          {mavlink::adsb_vehicle::message_id, 200, mavlink::mav_autopilot::ardupilotmega, true}};
+          {mavlink::adsb_vehicle::message_id, 200, mavlink::mav_autopilot::ardupilotmega, true, true}};
 }
 
 std::vector<wanted_stream> streams_for_stations() {

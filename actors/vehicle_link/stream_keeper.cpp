@@ -97,8 +97,12 @@ stream_keeper::stream* stream_keeper::asked() {
 }
 
 void stream_keeper::on_outcome(const command_outcome& outcome, std::int64_t now_ns) {
-  (void)outcome; // accepted or not: what comes is judged
-  if (auto* s = asked())
+  auto* s = asked();
+  if (s == nullptr)
+    return;
+  if (s->wanted.is_occasional && outcome.verdict != command_verdict::timed_out)
+    s->at = step::idle;
+  else // accepted or not: what comes is judged
     watch(*s, now_ns);
 }
 

@@ -10,8 +10,9 @@
 // What counts is what comes, not what was answered: PX4 refuses an interval for MISSION_CURRENT and sends it all the
 // same. One request is under way at a time, since two with the same command id could not be told apart. A message that
 // never comes (a rover has no EXTENDED_SYS_STATE) is named in `missing`, and asked for again at long intervals. One
-// that is optional is not named, and not asked for by the older request, which can mean all streams at once. Pure: time
-// comes in as monotonic nanoseconds. Source: MAVLink, "Message intervals and streams".
+// that is optional is not named, and not asked for by the older request, which can mean all streams at once. Of one
+// that is occasional the answer counts. Pure: time comes in as monotonic nanoseconds. Source: MAVLink, "Message
+// intervals and streams".
 #pragma once
 
 #include <cstdint>
@@ -30,7 +31,8 @@ struct wanted_stream {
   std::uint32_t message = 0; // id
   std::int32_t interval_ms = 1'000;
   std::optional<io::mavlink::mav_autopilot> only_of = {}; // what no other autopilot has is not asked for
-  bool is_optional = false; // whose absence is no fault: older versions of that autopilot do not know it
+  bool is_optional = false;   // whose absence is no fault: older versions of that autopilot do not know it
+  bool is_occasional = false; // comes when there is something to report: it is asked for until that is answered
 };
 
 inline constexpr std::size_t max_wanted_streams = 32;

@@ -114,9 +114,7 @@ bool flight_context::is_left_armed() const {
   return runner.has_armed() && view.is_armed() && view.knows_ground() && !is_in_air();
 }
 
-bool flight_context::may_disarm() const {
-  return is_left_armed() && runner.is_armed_by_it(view);
-}
+bool flight_context::may_disarm() const { return is_left_armed() && runner.is_armed_by_it(view); }
 
 std::vector<std::uint32_t> flight_context::modes_after_disarm() const {
   if (view.owner().autopilot != io::mavlink::mav_autopilot::px4)

@@ -34,8 +34,8 @@ public:
 
   void say(int who, int kind, int id) {
     auto m = bridge.command(people.at(static_cast<std::size_t>(who) % people.size()),
-                           kinds.at(static_cast<std::size_t>(kind) % kinds.size()),
-                           id % 4 == 0 ? std::string() : "id" + std::to_string(id % 4));
+                            kinds.at(static_cast<std::size_t>(kind) % kinds.size()),
+                            id % 4 == 0 ? std::string() : "id" + std::to_string(id % 4));
     if (operators::is_stop(m.what.kind) && m.by.name != "mallory" && m.by.name != "eve")
       revoked.insert(bridge.waiting.begin(), bridge.waiting.end());
     const auto request = bridge.say(m);
@@ -66,7 +66,7 @@ public:
   }
   void change_control(int who, int act) {
     (void)bridge.control(people.at(static_cast<std::size_t>(who) % people.size()),
-                        acts.at(static_cast<std::size_t>(act) % acts.size()), "bob");
+                         acts.at(static_cast<std::size_t>(act) % acts.size()), "bob");
   }
   void pass(int tenths) { bridge.pass(tenths * s / 10); }
 

@@ -111,6 +111,19 @@ TEST(stream_keeper, falls_back_to_the_older_request_after_three_tries_and_then_w
   EXPECT_EQ(asked(keeper.next_request(now + stream_retry_ms * ms)).param1, static_cast<float>(attitude));
 }
 
+// An ArduPilot without a receiver for aircraft answers each request with a text to all stations.
+TEST(stream_keeper, what_is_occasional_is_asked_for_until_that_is_answered) {
+  stream_keeper keeper({{.message = attitude, .interval_ms = 200, .is_optional = true, .is_occasional = true}});
+  keeper.begin(0);
+  EXPECT_EQ(asked(keeper.next_request(0)).param1, static_cast<float>(attitude));
+  keeper.on_outcome({.verdict = command_verdict::timed_out}, s);
+  EXPECT_FALSE(keeper.next_request(s));
+  EXPECT_EQ(asked(keeper.next_request(10 * s)).param1, static_cast<float>(attitude));
+  keeper.on_outcome({.verdict = command_verdict::refused}, 10 * s);
+  EXPECT_FALSE(keeper.next_request(500 * s));
+  EXPECT_FALSE(keeper.next_deadline_ns());
+}
+
 TEST(stream_keeper, what_is_optional_and_does_not_come_is_not_missed_nor_asked_for_by_the_older_request) {
   stream_keeper keeper({{.message = attitude, .interval_ms = 500, .is_optional = true}});
   keeper.begin(0);

@@ -11,7 +11,7 @@ import unittest
 from service_test import OK, PATIENCE_S, PROGRAM, USAGE, World
 
 PARTS_OF_STATUS = {"at_ms", "health", "flight", "missions", "failsafe", "vehicle", "ground", "service", "map", "fleet", "actors",
-                   "mail", "journal", "trace", "process", "unanswered"}
+                   "mail", "journal", "trace", "process", "traffic", "unanswered"}
 
 
 class Port(World):

@@ -15,7 +15,9 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "programs/godwit-sim/vehicle/flight/craft.hpp"
 #include "programs/godwit-sim/vehicle/flight/maneuver.hpp"

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "programs/godwit-sim/vehicle/flight/craft.hpp"
 #include "programs/godwit-sim/vehicle/world/body.hpp"

@@ -260,8 +260,8 @@ void core::lose_plan(effects& out, trigger what, instant now) {
   flight_.wanted.go_on = false;
   start_.refuse(out, why);
   phases_.go(out, what);
-  if (flies_it && flight_.may_disarm() && !flight_.is_in_flight())
-    tasks_.begin(out, task_kind::stand_down, {disarm{}});
+  if (flies_it && !flight_.is_in_flight())
+    tasks_.disarm_left_armed(out);
 }
 
 effects core::on_news(const progress::progress_event& m, instant now) {

@@ -52,9 +52,7 @@ void control_authority::adopt(const flight_mode& mode, holder who) {
 void control_authority::expect(std::vector<std::uint32_t> modes, std::int64_t now_ns, std::int64_t until_ns) {
   expected_ = std::move(modes);
   expected_until_ns_ = until_ns;
-  heard_ns_ = now_ns;
-  silences_ns_ = 0;
-  is_acknowledged_ = false;
+  begin_order(now_ns);
 }
 
 void control_authority::expect_also(const std::vector<std::uint32_t>& modes, std::int64_t now_ns,
@@ -65,6 +63,10 @@ void control_authority::expect_also(const std::vector<std::uint32_t>& modes, std
     if (std::ranges::find(expected_, each) == expected_.end())
       expected_.push_back(each);
   expected_until_ns_ = std::max(expected_until_ns_, until_ns);
+  begin_order(now_ns);
+}
+
+void control_authority::begin_order(std::int64_t now_ns) {
   heard_ns_ = now_ns;
   silences_ns_ = 0;
   is_acknowledged_ = false;

@@ -125,6 +125,7 @@ private:
   };
 
   void adopt(const flight_mode& mode, holder who);
+  void begin_order(std::int64_t now_ns);
   void drop_expected(const flight_mode& mode);
   [[nodiscard]] std::int64_t silences_until(std::int64_t now_ns) const;
   void change_by_itself(const told_modes& told, std::int64_t now_ns);

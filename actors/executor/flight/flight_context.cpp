@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "actors/domain/control_authority/mode_tables.hpp"
 #include "actors/domain/geo/geodesic.hpp"
 #include "actors/domain/home/home.hpp"
 #include "actors/executor/plan/fence_check.hpp"
+#include "actors/executor/plan/fence_items.hpp"
 #include "actors/executor/plan/places.hpp"
 #include "actors/executor/plan/vehicle_items.hpp"
 #include "actors/executor/preflight/report.hpp"
@@ -164,16 +166,13 @@ bool flight_context::is_coming_down() const { return is_landing() || (ends_on_gr
 bool flight_context::is_at_rally_point(double metres, instant now) const {
   if (!s.last_line.has_rally)
     return false;
+  auto brought = s.station_rally;
+  if (s.mission)
+    std::ranges::copy(plan::rally_items(*s.mission), std::back_inserter(brought));
   using io::mavlink::units_a_degree;
-  const auto is_at = [&](double latitude, double longitude) {
-    return view.is_within(metres, {latitude, longitude}, now.now_ns);
-  };
-  const bool is_stations = std::ranges::any_of(
-      s.station_rally, [&](const auto& each) { return is_at(each.x / units_a_degree, each.y / units_a_degree); });
-  return is_stations ||
-         (s.mission && s.mission->rally_points && std::ranges::any_of(*s.mission->rally_points, [&](const auto& each) {
-            return is_at(each.latitude, each.longitude);
-          }));
+  return std::ranges::any_of(brought, [&](const auto& each) {
+    return view.is_within(metres, {each.x / units_a_degree, each.y / units_a_degree}, now.now_ns);
+  });
 }
 
 bool flight_context::came_down_as_planned(instant now) const {

@@ -141,8 +141,7 @@ bool operator_control::interrupt(effects& out, instant now) {
   flight_.wanted.halt.reset();
   flight_.authority.end();
   phases_.go(out, trigger::start_stopped);
-  if (flight_.may_disarm())
-    tasks_.begin(out, task_kind::stand_down, {disarm{}});
+  tasks_.disarm_left_armed(out);
   return true;
 }
 

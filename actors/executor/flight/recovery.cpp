@@ -176,10 +176,8 @@ void recovery::find_in_flight(effects& out, const std::optional<task>& doing, in
   if (is_held && (flight_.s.status.cause == pause_cause::asked || is(task_kind::hold)))
     return phases_.go(out, trigger::found_held);
   const bool is_ours = flight_.authority.is_ours() && !flight_.authority.is_unclear();
-  if (is_ours && is(task_kind::come_home) && flight_.view.is_in(mode_kind::returning)) {
-    out.emplace_back(note{progress::mission_aborted{}});
-    return phases_.go(out, trigger::called_home);
-  }
+  if (is_ours && is(task_kind::come_home) && flight_.view.is_in(mode_kind::returning))
+    return tasks_.follow_return(out);
   if (is_ours && !flight_.is_landing() && flight_.view.is_in(mode_kind::mission) &&
       (is(task_kind::hold) || is(task_kind::come_home))) {
     // An operator's word, which the vehicle has not heard or not shown yet.

@@ -203,9 +203,7 @@ void task_control::finish(effects& out, const task& what, instant now) {
     phases_.go(out, trigger::resumed);
     return;
   case task_kind::come_home:
-    out.emplace_back(note{progress::mission_aborted{}});
-    phases_.go(out, trigger::called_home);
-    return;
+    return follow_return(out);
   case task_kind::come_home_by_plan:
     finish_way_home(out);
     return;
@@ -219,6 +217,18 @@ void task_control::finish(effects& out, const task& what, instant now) {
   }
 }
 
+void task_control::follow_return(effects& out) {
+  out.emplace_back(note{progress::mission_aborted{}});
+  phases_.go(out, trigger::called_home);
+}
+
+bool task_control::disarm_left_armed(effects& out) {
+  const bool may = flight_.may_disarm();
+  if (may)
+    begin(out, task_kind::stand_down, {disarm{}});
+  return may;
+}
+
 void task_control::follow_unheard(effects& out, instant now) {
   const auto what = flight_.runner.unheard();
   const auto& authority = flight_.authority;
@@ -229,10 +239,8 @@ void task_control::follow_unheard(effects& out, instant now) {
   if (!flight_.view.is_in(is_return ? mode_kind::returning : going_on_mode(flight_)))
     return;
   flight_.runner.forget_unheard();
-  if (is_return) {
-    out.emplace_back(note{progress::mission_aborted{}});
-    return phases_.go(out, trigger::called_home);
-  }
+  if (is_return)
+    return follow_return(out);
   verify_plan(now);
   phases_.go(out, brings_plan(*what) ? trigger::plan_brought : trigger::resumed);
 }
@@ -327,8 +335,8 @@ void task_control::fail(effects& out, const task& what, const std::string& why, 
       phases_.go(out, trigger::start_refused, flight_.refused_start_sentence());
     else
       phases_.go(out, trigger::start_failed, why);
-    if (flight_.may_disarm() && !flight_.view.is_in(mode_kind::mission))
-      begin(out, task_kind::stand_down, {disarm{}});
+    if (!flight_.view.is_in(mode_kind::mission))
+      disarm_left_armed(out);
     return;
   }
   phases_.go(out, trigger::task_failed, why);

@@ -32,6 +32,10 @@ public:
 
   // True: one is under way, or has just ended.
   [[nodiscard]] bool run(effects& out, instant now);
+  // It returns by an order of ours.
+  void follow_return(effects& out);
+  // What a start has armed and nobody else can have. True: its disarm has begun.
+  bool disarm_left_armed(effects& out);
   // What was ordered and not heard obeyed shows now.
   void follow_unheard(effects& out, instant now);
   // What is under way may still come through.

@@ -256,7 +256,10 @@ template <>
 struct rules_of<disarm> : any_step {
   static std::string description(const disarm&) { return "to disarm"; }
   static std::string why_not_now(const disarm&, const step_context& c) {
-    return c.view.is_moving() || c.view.is_in(mode_kind::mission) ? "it moves, or is in its mission mode" : "";
+    if (c.view.is_moving() || c.view.is_in(mode_kind::mission))
+      return "it moves, or is in its mission mode";
+    return c.is_armed_by_us ? ""
+                            : "it was not heard throughout since it was armed, and somebody else may have armed it";
   }
   static step_effect effect(const disarm&, const step_context&) { return step_effect::moves; }
   static request send(const disarm&, const step_context&) { return step_request{{}, arming_command(false)}; }

@@ -70,6 +70,7 @@ struct step_context {
   const flight::control_authority& authority;
   task_kind kind;
   const step_attempts& attempts;
+  bool is_armed_by_us = false; // as it was heard last
 };
 
 enum class step_effect {

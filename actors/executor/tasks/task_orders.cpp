@@ -143,8 +143,7 @@ void task_runner::send(const world& w) {
     command->confirmation = static_cast<std::uint8_t>(attempts_.tries - 1);
     if (is_stop())
       command->timeout_ms = stop_answer_ms;
-    const auto* mode = std::get_if<change_mode>(&what);
-    if (is_moving || (mode != nullptr && mode->to == flight::mode_kind::hold))
+    if (is_moving || new_mode() == flight::mode_kind::hold)
       command->copies = vehicle_link::copies_of_moving_order;
     command->only_while = known(w);
   } else if (auto* plan = std::get_if<vehicle_link::upload_plan>(&request->what)) {

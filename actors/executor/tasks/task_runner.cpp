@@ -159,8 +159,6 @@ void task_runner::begin_step(const world& w) {
     return fail_unsent(
         w, "godwit stood still, or did not hear the vehicle, for more than a second; a person has to repeat the "
            "command");
-  if (is_at<disarm>() && !is_armed_by_it(w.view)) // as it was observed last
-    return fail("it was not heard throughout since it was armed, and somebody else may have armed it");
   const auto allowed = may_send(intended(w), w.authority, w.seen, w.now_ns);
   if (allowed == permission::not_ours || allowed == permission::wait) // control_watch ends it, or continues it
     return enter(stage::pausing, w.now_ns + until_heartbeat_ns);
@@ -219,11 +217,11 @@ void task_runner::retry_or_fail(const world& w, const std::string& why, bool is_
   const auto sentence = "the vehicle was asked " + description_of(way_[at_]) + ", and " +
                         (why == not_shown ? why : (attempts_.was_lost ? "gave " : "did not: ") + why) +
                         (warned.empty() ? "" : "; it reports \"" + warned + "\"");
-  const auto* mode = std::get_if<change_mode>(&way_[at_]);
-  if (mode != nullptr && mode->to != flight::mode_kind::hold && !is_heard_since(w))
+  const auto mode = new_mode();
+  if (mode && mode != flight::mode_kind::hold && !is_heard_since(w))
     unheard_ = task_->kind;
-  else if (mode != nullptr) // late, it can not be told from a person's
-    withdraw(w, flight::modes_obeying(w.view.owner(), mode->to));
+  else if (mode) // late, it can not be distinguished from a person's
+    withdraw(w, flight::modes_obeying(w.view.owner(), *mode));
   if (intent() == step_intent::none)
     return fail(sentence);
   why_failed_ = sentence;

@@ -134,13 +134,14 @@ private:
     return at_ < way_.size() && std::holds_alternative<Step>(way_[at_]);
   }
   [[nodiscard]] step_context context(const world& w) const {
-    return {w.durable, w.view, w.authority, task_->kind, attempts_};
+    return {w.durable, w.view, w.authority, task_->kind, attempts_, is_armed_by_it(w.view)};
   }
-  // The step under way brings the vehicle home: a stop that moves it.
-  [[nodiscard]] bool is_return() const {
-    const auto* mode = at_ < way_.size() ? std::get_if<change_mode>(&way_[at_]) : nullptr;
-    return mode != nullptr && mode->to == flight::mode_kind::returning;
+  // What the step under way changes the mode to.
+  [[nodiscard]] std::optional<flight::mode_kind> new_mode() const {
+    return is_at<change_mode>() ? std::optional(std::get<change_mode>(way_[at_]).to) : std::nullopt;
   }
+  // A stop that moves the vehicle.
+  [[nodiscard]] bool is_return() const { return new_mode() == flight::mode_kind::returning; }
   [[nodiscard]] step_intent intent() const { return intent_of(way_[at_]); }
   [[nodiscard]] bool is_done(const world& w) const { return executor::is_done(way_[at_], context(w)); }
 

@@ -185,8 +185,9 @@ void control_watch::look_at_left_armed(effects& out, instant now) {
                  "after a start that was not heard the vehicle is in the air, and not by its mission" + in_its_mode());
   const bool is_left =
       waits && flight_.is_left_armed() && !flight_.view.is_moving() && !flight_.view.is_in(flight::mode_kind::mission);
-  if (flight_.may_disarm() && is_left && !reason_before_ && now.now_ns - runner.armed_ns() <= flight::silence_ns)
-    return tasks_.begin(out, task_kind::stand_down, {disarm{}});
+  const bool has_just_armed = now.now_ns - runner.armed_ns() <= flight::silence_ns;
+  if (is_left && !reason_before_ && has_just_armed && tasks_.disarm_left_armed(out))
+    return;
   if (is_left == reason_before_.has_value())
     return;
   if (is_left)

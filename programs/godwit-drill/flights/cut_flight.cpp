@@ -11,6 +11,7 @@
 #include "programs/godwit-drill/flight_simulation/flight_people.hpp"
 #include "programs/godwit-drill/flight_simulation/short_mission.hpp"
 #include "programs/godwit-drill/flight_simulation/vehicle_modes.hpp"
+#include "programs/godwit-drill/flights/one_of.hpp"
 
 namespace godwit::drill {
 namespace {
@@ -29,11 +30,6 @@ constexpr double shortest_s = 0.2;
 constexpr double longest_s = 30;
 constexpr double heard_within_s = 3; // after a cut: heartbeats come each second, and some are lost
 constexpr double told_within_s = 3;
-
-template <class T, std::size_t N>
-T one_of(const std::array<T, N>& all, std::mt19937_64& random) {
-  return all[random() % N];
-}
 
 class cut_flight {
 public:

@@ -9,6 +9,7 @@
 #include "programs/godwit-drill/flight_simulation/flight_people.hpp"
 #include "programs/godwit-drill/flight_simulation/short_mission.hpp"
 #include "programs/godwit-drill/flight_simulation/vehicle_modes.hpp"
+#include "programs/godwit-drill/flights/one_of.hpp"
 #include "programs/godwit-sim/vehicle/world/position.hpp"
 
 namespace godwit::drill {
@@ -22,12 +23,6 @@ enum class act { disarm, mode, upload, choose_item, set_home };
 
 constexpr double foreign_is_m_away = 150; // so that a report about it is not true of ours
 constexpr std::uint64_t one_in_flies_on = 4;
-
-// How each draws from what it has.
-template <class T, std::size_t N>
-T one_of(const std::array<T, N>& all, std::mt19937_64& random) {
-  return all[random() % N];
-}
 
 class intervention_flight {
 public:

@@ -17,10 +17,18 @@ using tests::flight_world;
 
 class cut_start : public testing::TestWithParam<sim::personality> {
 protected:
+  static flight_world::options in_real_time() {
+    return {.who = GetParam(), .start = start_policy::on_command, .speed = 1};
+  }
   static void begin(flight_world& world) {
     world.load(tests::short_mission(GetParam()));
     ASSERT_TRUE(world.run_until_phase(phase::ready, 120)) << world.story();
     ASSERT_TRUE(world.say(command_kind::start).is_taken) << world.sentence();
+  }
+  static void fly_on_to_w2(flight_world& world) {
+    begin(world);
+    ASSERT_TRUE(world.run_until([&] { return tests::is_told(world, progress_kind::started, "w2"); }, 600))
+        << world.story();
   }
   // In the moment in which the first order of that kind goes out.
   static void begin_until(flight_world& world, int (flight_world::*orders)() const) {
@@ -116,7 +124,7 @@ TEST_P(cut_start, who_has_taken_the_vehicle_in_the_silence_has_it_and_is_not_tol
 // Nobody knows who has it by then: it is told, and nothing is sent. After a restart of godwit as well.
 TEST_P(cut_start, a_vehicle_that_was_armed_unheard_is_told_as_armed_until_it_is_disarmed) {
   for (const bool is_killed : {false, true}) {
-    flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+    flight_world world(in_real_time());
     begin_until(world, &flight_world::arms);
     if (is_killed)
       world.crash_all();
@@ -148,7 +156,7 @@ TEST_P(cut_start, a_start_that_is_stopped_in_the_moment_of_its_arm_leaves_nothin
 
 // The first was lost.
 TEST_P(cut_start, no_copy_of_an_arm_goes_out_after_the_start_was_stopped) {
-  flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+  flight_world world(in_real_time());
   begin(world);
   world.lose_command(io::mavlink::number(io::mavlink::mav_cmd::component_arm_disarm), 1);
   ASSERT_TRUE(world.run_until([&] { return world.arms() > 0; }, 20)) << world.story();
@@ -158,7 +166,7 @@ TEST_P(cut_start, no_copy_of_an_arm_goes_out_after_the_start_was_stopped) {
 }
 
 TEST_P(cut_start, a_vehicle_that_somebody_arms_when_it_is_ready_is_told_as_armed) {
-  flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+  flight_world world(in_real_time());
   world.load(tests::short_mission(GetParam()));
   ASSERT_TRUE(world.run_until_phase(phase::ready, 120)) << world.story();
   EXPECT_EQ(world.sentence().find("armed"), std::string::npos) << world.sentence();
@@ -169,7 +177,7 @@ TEST_P(cut_start, a_vehicle_that_somebody_arms_when_it_is_ready_is_told_as_armed
 
 // Only the way to the vehicle is left: what it does by then nobody knows.
 TEST_P(cut_start, nothing_is_disarmed_unheard_and_nobody_who_has_armed_it_by_hand) {
-  flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+  flight_world world(in_real_time());
   begin_until(world, &flight_world::arms);
   world.deafen(20);
   world.run_for(3);
@@ -185,10 +193,8 @@ TEST_P(cut_start, nothing_is_disarmed_unheard_and_nobody_who_has_armed_it_by_han
 
 // The hold of a replan is lost in a silence, and a person stops the vehicle in it.
 TEST_P(cut_start, who_has_stopped_it_in_a_silence_in_which_a_replan_held_it_is_not_driven_on) {
-  flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
-  begin(world);
-  ASSERT_TRUE(world.run_until([&] { return tests::is_told(world, progress_kind::started, "w2"); }, 600))
-      << world.story();
+  flight_world world(in_real_time());
+  fly_on_to_w2(world);
   world.lose_command(io::mavlink::number(io::mavlink::mav_cmd::do_set_mode), 100);
   world.load(longer_mission());
   world.run_for(0.05);
@@ -206,10 +212,8 @@ TEST_P(cut_start, who_has_stopped_it_in_a_silence_in_which_a_replan_held_it_is_n
 // The vehicle is heard throughout, and nothing tells whose hold that is.
 TEST_P(cut_start, who_has_stopped_it_after_the_hold_of_a_replan_was_lost_is_not_driven_on) {
   for (const double after_s : {0.3, 0.9, 1.5, 3.0}) {
-    flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
-    begin(world);
-    ASSERT_TRUE(world.run_until([&] { return tests::is_told(world, progress_kind::started, "w2"); }, 600))
-        << world.story();
+    flight_world world(in_real_time());
+    fly_on_to_w2(world);
     world.lose_command(io::mavlink::number(io::mavlink::mav_cmd::do_set_mode), 100);
     world.load(longer_mission());
     world.run_for(after_s);
@@ -229,10 +233,8 @@ TEST_P(cut_start, who_has_stopped_it_after_the_hold_of_a_replan_was_lost_is_not_
 // The same of an operator's change, which holds the vehicle first.
 TEST_P(cut_start, who_has_stopped_it_after_the_hold_of_a_go_to_was_lost_is_not_driven_on) {
   for (const double after_s : {0.3, 0.5, 0.7, 1.2, 1.5}) {
-    flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
-    begin(world);
-    ASSERT_TRUE(world.run_until([&] { return tests::is_told(world, progress_kind::started, "w2"); }, 600))
-        << world.story();
+    flight_world world(in_real_time());
+    fly_on_to_w2(world);
     world.lose_command(io::mavlink::number(io::mavlink::mav_cmd::do_set_mode), 100);
     operators::command there;
     there.kind = command_kind::go_to;
@@ -252,10 +254,8 @@ TEST_P(cut_start, who_has_stopped_it_after_the_hold_of_a_go_to_was_lost_is_not_d
 TEST_P(cut_start, a_replan_whose_hold_was_not_acknowledged_waits_for_an_operator_who_sends_it_on_with_the_new_plan) {
   if (GetParam() == sim::personality::px4)
     return; // no hold
-  flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
-  begin(world);
-  ASSERT_TRUE(world.run_until([&] { return tests::is_told(world, progress_kind::started, "w2"); }, 600))
-      << world.story();
+  flight_world world(in_real_time());
+  fly_on_to_w2(world);
   world.load(longer_mission());
   ASSERT_TRUE(world.run_until([&] { return world.commands().back() == 176; }, 5)) << world.story();
   world.lose_message(io::mavlink::command_ack::message_id);
@@ -275,10 +275,8 @@ TEST_P(cut_start, a_replan_whose_hold_was_not_acknowledged_waits_for_an_operator
 // They may have been obeyed, and then they are godwit's.
 TEST_P(cut_start, what_was_ordered_and_obeyed_unheard_is_followed_when_the_vehicle_is_heard_again) {
   for (const auto what : {command_kind::come_home, command_kind::resume}) {
-    flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
-    begin(world);
-    ASSERT_TRUE(world.run_until([&] { return tests::is_told(world, progress_kind::started, "w2"); }, 600))
-        << world.story();
+    flight_world world(in_real_time());
+    fly_on_to_w2(world);
     if (what == command_kind::resume) {
       ASSERT_TRUE(world.say(command_kind::pause).is_taken);
       ASSERT_TRUE(world.run_until_phase(phase::paused, 5)) << world.story();
@@ -298,10 +296,8 @@ TEST_P(cut_start, what_was_ordered_and_obeyed_unheard_is_followed_when_the_vehic
 TEST_P(cut_start, a_return_that_was_obeyed_unheard_is_followed_after_a_crash_as_well) {
   for (const bool is_killed : {false, true})
     for (const double after_s : {0.0, 0.002, 0.05, 0.5}) {
-      flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
-      begin(world);
-      ASSERT_TRUE(world.run_until([&] { return tests::is_told(world, progress_kind::started, "w2"); }, 600))
-          << world.story();
+      flight_world world(in_real_time());
+      fly_on_to_w2(world);
       ASSERT_TRUE(world.say(command_kind::come_home).is_taken) << world.sentence();
       world.run_for(after_s);
       world.cut_line(3);
@@ -320,7 +316,7 @@ TEST_P(cut_start, a_return_that_was_obeyed_unheard_is_followed_after_a_crash_as_
 TEST_P(cut_start, who_has_armed_it_by_hand_in_a_silence_is_not_disarmed_when_it_is_heard_again) {
   const bool is_px4 = GetParam() == sim::personality::px4;
   for (const double cut_s : {1.6, 2.4, 5.0}) {
-    flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+    flight_world world(in_real_time());
     begin_until(world, &flight_world::arms);
     world.lose_command(
         io::mavlink::number(is_px4 ? io::mavlink::mav_cmd::do_set_mode : io::mavlink::mav_cmd::mission_start), 100);
@@ -339,7 +335,7 @@ TEST_P(cut_start, who_has_armed_it_by_hand_in_a_silence_is_not_disarmed_when_it_
 TEST_P(cut_start, whoever_holds_it_in_the_air_has_it_also_when_the_executor_died_in_the_silence) {
   if (GetParam() == sim::personality::rover)
     return; // it stands, and is told as armed
-  flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+  flight_world world(in_real_time());
   begin_until(world, &flight_world::starts);
   world.cut_line(24);
   world.run_for(12);
@@ -353,7 +349,7 @@ TEST_P(cut_start, whoever_holds_it_in_the_air_has_it_also_when_the_executor_died
 
 // A pilot's mode after it is none of a flight that is prepared anew.
 TEST_P(cut_start, a_flight_that_is_prepared_again_after_a_restart_in_its_start_becomes_ready) {
-  flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+  flight_world world(in_real_time());
   begin_until(world, &flight_world::arms);
   world.cut_line(1);
   world.run_for(0.6);
@@ -372,10 +368,8 @@ TEST_P(cut_start, a_flight_that_is_prepared_again_after_a_restart_in_its_start_b
 
 // Nobody sees what it would move: a person may have stopped the vehicle after the first.
 TEST_P(cut_start, a_return_is_not_repeated_while_the_vehicle_is_not_heard) {
-  flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
-  begin(world);
-  ASSERT_TRUE(world.run_until([&] { return tests::is_told(world, progress_kind::started, "w2"); }, 600))
-      << world.story();
+  flight_world world(in_real_time());
+  fly_on_to_w2(world);
   world.deafen(8);
   const auto commands = world.commands().size();
   ASSERT_TRUE(world.say(command_kind::come_home).is_taken) << world.sentence();
@@ -389,7 +383,7 @@ TEST_P(cut_start, a_return_is_not_repeated_while_the_vehicle_is_not_heard) {
 TEST_P(cut_start, whoever_holds_it_in_the_air_after_a_start_that_failed_unheard_has_it) {
   if (GetParam() == sim::personality::rover)
     return; // it stands, and is told as armed
-  flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+  flight_world world(in_real_time());
   begin_until(world, &flight_world::starts);
   world.cut_line(12);
   world.run_for(8);
@@ -403,7 +397,7 @@ TEST_P(cut_start, whoever_holds_it_in_the_air_after_a_start_that_failed_unheard_
 
 // godwit's own was lost.
 TEST_P(cut_start, who_arms_it_by_hand_just_after_a_start_that_was_stopped_is_not_disarmed) {
-  flight_world world({.who = GetParam(), .start = start_policy::on_command, .speed = 1});
+  flight_world world(in_real_time());
   begin(world);
   world.lose_command(io::mavlink::number(io::mavlink::mav_cmd::component_arm_disarm), 3);
   ASSERT_TRUE(world.run_until([&] { return world.arms() > 0; }, 20)) << world.story();

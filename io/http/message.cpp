@@ -1,6 +1,9 @@
 #include "io/http/message.hpp"
 
 #include <algorithm>
+#include <string_view>
+
+#include "io/text.hpp"
 
 namespace godwit::io::http {
 
@@ -37,12 +40,7 @@ std::string_view method_text(method value) {
 
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos)
-    return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
+constexpr std::string_view blanks = " \t";
 
 std::string_view unquoted(std::string_view text) {
   return text.size() >= 2 && text.front() == '"' && text.back() == '"' ? text.substr(1, text.size() - 2) : text;
@@ -57,7 +55,8 @@ bool is_utf8(std::string_view charset) {
 bool charset_is_read(std::string_view content_type) {
   for (auto at = content_type.find(';'); at != std::string_view::npos;) {
     const auto end = content_type.find(';', at + 1);
-    const auto parameter = trimmed(content_type.substr(at + 1, end == std::string_view::npos ? end : end - at - 1));
+    const auto parameter =
+        trimmed(content_type.substr(at + 1, end == std::string_view::npos ? end : end - at - 1), blanks);
     const auto equals = parameter.find('=');
     if (equals != std::string_view::npos && equals_ignoring_case(parameter.substr(0, equals), "charset") &&
         !is_utf8(unquoted(parameter.substr(equals + 1))))
@@ -70,7 +69,7 @@ bool charset_is_read(std::string_view content_type) {
 } // namespace
 
 std::string_view media_type(std::string_view content_type) {
-  const auto type = trimmed(content_type.substr(0, content_type.find(';')));
+  const auto type = trimmed(content_type.substr(0, content_type.find(';')), blanks);
   return std::ranges::count(type, '/') == 1 ? type : std::string_view{};
 }
 

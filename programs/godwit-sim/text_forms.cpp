@@ -60,13 +60,6 @@ std::string shortest(double value) {
   return error == std::errc{} ? std::string(text.data(), end) : std::string();
 }
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(' ');
-  if (first == std::string_view::npos)
-    return {};
-  return text.substr(first, text.find_last_not_of(' ') - first + 1);
-}
-
 std::vector<std::string_view> parts_of(std::string_view text, char separator) {
   std::vector<std::string_view> result;
   for (;;) {

@@ -12,7 +12,11 @@
 
 #include <tl/expected.hpp>
 
+#include "io/text.hpp"
+
 namespace godwit::sim {
+
+using io::trimmed;
 
 // All of TEXT, finite.
 [[nodiscard]] std::optional<double> read_number(std::string_view text);
@@ -26,7 +30,6 @@ namespace godwit::sim {
 
 // The parts between the separators, without spaces around them; of an empty text one empty part.
 [[nodiscard]] std::vector<std::string_view> parts_of(std::string_view text, char separator);
-[[nodiscard]] std::string_view trimmed(std::string_view text);
 
 // Somebody else's text in a sentence of ours: in quotes, printable, cut off.
 [[nodiscard]] std::string in_quotes(std::string_view text);

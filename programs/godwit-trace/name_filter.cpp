@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "io/text.hpp"
 #include "programs/godwit-trace/message_forms.hpp"
 
 namespace godwit::trace_tool {
@@ -15,13 +16,6 @@ std::string in_capitals(std::string_view text) {
   for (char& each : result)
     each = each >= 'a' && each <= 'z' ? static_cast<char>(each - 'a' + 'A') : each;
   return result;
-}
-
-std::string_view trimmed(std::string_view text) {
-  const auto begin = std::min(text.find_first_not_of(blanks), text.size());
-  text.remove_prefix(begin);
-  const auto last = text.find_last_not_of(blanks);
-  return last == std::string_view::npos ? std::string_view() : text.substr(0, last + 1);
 }
 
 bool is_pattern(std::string_view text) { return text.find('*') != std::string_view::npos; }
@@ -65,7 +59,7 @@ tl::expected<name_filter, std::string> name_filter::parse(std::span<const std::s
   for (const std::string_view list : lists)
     for (std::size_t begin = 0; begin <= list.size();) {
       const auto end = std::min(list.find(',', begin), list.size());
-      if (const auto added = filter.add(in_capitals(trimmed(list.substr(begin, end - begin)))); !added)
+      if (const auto added = filter.add(in_capitals(io::trimmed(list.substr(begin, end - begin), blanks))); !added)
         return tl::make_unexpected(added.error());
       begin = end + 1;
     }

@@ -11,6 +11,7 @@
 
 #include "actors/domain/mission/utc_text.hpp"
 #include "io/fields/json_value.hpp"
+#include "io/text.hpp"
 #include "messages/mission/item_fields.hpp"
 #include "messages/operator_bridge/rules.hpp"
 
@@ -96,14 +97,6 @@ io::http::secret_text secret_of(const std::string& text) {
   return result;
 }
 
-std::string_view trimmed(std::string_view text) {
-  while (text.starts_with(' '))
-    text.remove_prefix(1);
-  while (text.ends_with(' '))
-    text.remove_suffix(1);
-  return text;
-}
-
 } // namespace
 
 tl::expected<operator_bridge::operator_command, body_problem> read_command(std::string_view text) {
@@ -169,7 +162,7 @@ tl::expected<override_body, body_problem> read_override(std::string_view text) {
     return wrong("rule", "the rule is missing, such as \"operator_link\"");
   if (body->seconds == 0)
     return wrong("seconds", "for how many seconds is missing");
-  if (trimmed(body->reason).empty())
+  if (io::trimmed(body->reason).empty())
     return wrong("reason", "a reason is missing: it stands in the audit");
   return override_body{{*body->rule, std::move(body->reason), 0}, body->seconds};
 }
@@ -204,12 +197,12 @@ tl::expected<login_body, body_problem> read_login(std::string text) {
 std::string_view token_of(const io::http::server_request& asked) {
   constexpr std::string_view bearer = "Bearer ";
   if (const auto said = asked.find("Authorization"); said.starts_with(bearer))
-    return trimmed(said.substr(bearer.size()));
+    return io::trimmed(said.substr(bearer.size()));
   constexpr std::string_view name = "godwit_session=";
   auto cookies = asked.find("Cookie");
   while (!cookies.empty()) {
     const auto end = std::min(cookies.find(';'), cookies.size());
-    const auto each = trimmed(cookies.substr(0, end));
+    const auto each = io::trimmed(cookies.substr(0, end));
     if (each.starts_with(name))
       return each.substr(name.size());
     cookies.remove_prefix(std::min(end + 1, cookies.size()));

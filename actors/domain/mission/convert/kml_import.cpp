@@ -19,12 +19,14 @@
 #include "actors/domain/mission/read.hpp"
 #include "actors/domain/mission/rules.hpp"
 #include "io/mavlink/enums.hpp"
+#include "io/text.hpp"
 
 namespace godwit::mission {
 
 namespace {
 
 constexpr std::size_t max_depth = 64; // Google Earth writes some ten levels of folders at most
+constexpr std::string_view blanks = " \t\r\n";
 constexpr auto above_terrain = io::mavlink::number(io::mavlink::mav_frame::global_terrain_alt);
 
 struct drawn_place {
@@ -36,12 +38,6 @@ struct drawn_place {
 
 // "gx:Track" is "Track".
 std::string_view local_name(std::string_view name) { return name.substr(name.rfind(':') + 1); }
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view blank = " \t\r\n";
-  const auto first = text.find_first_not_of(blank);
-  return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(blank) - first + 1);
-}
 
 bool is_any_of(std::string_view name, std::initializer_list<std::string_view> names) {
   return std::ranges::find(names, name) != names.end();
@@ -129,7 +125,7 @@ private:
     if (is_in_geometry() && name == "coordinates")
       take_coordinates();
     else if (is_in_geometry() && name == "altitudeMode")
-      mode_ = trimmed(text_);
+      mode_ = io::trimmed(text_, blanks);
     else if (depth_ == geometry_depth_) {
       append_drawn(name);
       geometry_depth_ = 0;
@@ -148,7 +144,7 @@ private:
   void take_coordinates() {
     auto at = text_line_;
     for (std::size_t i = 0; i < text_.size();) {
-      const auto end = std::min(text_.find_first_of(" \t\r\n", i), text_.size());
+      const auto end = std::min(text_.find_first_of(blanks, i), text_.size());
       const auto tuple = std::string_view(text_).substr(i, end - i);
       if (auto place = place_of(tuple)) {
         place->line = at;

@@ -125,16 +125,19 @@ std::set<std::string> refused(const scene& where, task_kind kind) {
   return result;
 }
 
+// Nobody knows here who armed it: a disarm of it may be against a person.
 TEST(step_begin, an_armed_vehicle_is_left_as_it_is_on_the_ground) {
   const std::set<std::string> expected{description_of(safe_ground_mode{}), description_of(await_arming{}),
-                                       description_of(clear_plan{})};
+                                       description_of(clear_plan{}), description_of(disarm{})};
   EXPECT_EQ(refused(scene(mode_kind::hold, true), task_kind::deploy), expected);
   EXPECT_EQ(why_not_now(safe_ground_mode{true}, scene(mode_kind::hold, true).as(task_kind::stand_by)), "");
 }
 
 TEST(step_begin, a_disarmed_vehicle_is_neither_started_nor_sent_on) {
-  EXPECT_EQ(refused(scene(), task_kind::start), std::set{description_of(start_plan{})});
-  const std::set<std::string> expected{description_of(start_plan{}), description_of(mission_mode)};
+  const std::set<std::string> at_start{description_of(start_plan{}), description_of(disarm{})};
+  EXPECT_EQ(refused(scene(), task_kind::start), at_start);
+  const std::set<std::string> expected{description_of(start_plan{}), description_of(mission_mode),
+                                       description_of(disarm{})};
   EXPECT_EQ(refused(scene(), task_kind::resume), expected);
 }
 

@@ -206,7 +206,7 @@ void core::hear_words(instant now, effects& out) {
   const bool handed_back = std::exchange(hand_back_received_, false) && !taken;
   if (taken && !pilot_.is_taken_over()) {
     pilot_.take_over();
-    out.emplace_back(warning{mav_severity::notice, "a pilot has the vehicle; the failsafes only warn"});
+    out.emplace_back(warning{mav_severity::notice, "somebody else has the vehicle; the failsafes only warn"});
   }
   if (handed_back) {
     pilot_.hand_back();

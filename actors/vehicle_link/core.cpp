@@ -205,6 +205,7 @@ void core::take(decision_context& t, const M& message) {
 }
 
 void core::take(decision_context& t, const mavlink::heartbeat& m) {
+  note_restart(t, watch_.on_state(m)); // before its mode, which would be taken for a pilot's
   orders_.heard(m.custom_mode, io::mavlink::is_armed(m));
   t.done.emplace_back(observation(m));
   answer_look(t, looks_.on_heartbeat(t.now.monotonic_ns));
@@ -270,7 +271,10 @@ void core::take(decision_context& t, const mavlink::ping& m) {
 
 void core::note_boot_time(decision_context& t, std::uint32_t boot_ms) {
   identity_.on_boot_time(boot_ms, t.now.monotonic_ns);
-  const auto restarted = watch_.on_boot_time(boot_ms, t.now.monotonic_ns);
+  note_restart(t, watch_.on_boot_time(boot_ms, t.now.monotonic_ns));
+}
+
+void core::note_restart(decision_context& t, const std::optional<vehicle_restarted>& restarted) {
   if (!restarted)
     return;
   for (const auto& each :

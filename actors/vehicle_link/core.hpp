@@ -118,6 +118,7 @@ private:
   void take(decision_context& t, const M& message);
   [[nodiscard]] bool relay(decision_context& t, const mavlink::frame_view& frame);
   void note_boot_time(decision_context& t, std::uint32_t boot_ms);
+  void note_restart(decision_context& t, const std::optional<vehicle_restarted>& restarted);
   // Under the vehicle's name, and no autopilot's.
   [[nodiscard]] bool is_other_program(const mavlink::frame_view& frame) const;
   void note_twin(std::int64_t now_ns);

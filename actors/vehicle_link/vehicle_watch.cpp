@@ -137,6 +137,7 @@ std::optional<connection_changed> vehicle_watch::on_heartbeat(const io::mavlink:
     }
     if (!has_its_name(system, component)) {
       heartbeats_ = 0;
+      was_up_ = false;
       boot_ms_.reset(); // it has a clock and numbers of its own
       maybe_.reset();
       newest_ns_.reset();
@@ -189,6 +190,18 @@ std::optional<vehicle_restarted> vehicle_watch::on_boot_time(std::uint32_t boot_
   maybe_.reset();
   ++restarts_;
   return vehicle_restarted{*before, boot_ms};
+}
+
+std::optional<vehicle_restarted> vehicle_watch::on_state(const io::mavlink::heartbeat& beat) {
+  const bool boots = beat.system_status == io::mavlink::number(io::mavlink::mav_state::uninit) ||
+                     beat.system_status == io::mavlink::number(io::mavlink::mav_state::boot);
+  const bool was_up = std::exchange(was_up_, !boots);
+  if (!was_up || !boots || io::mavlink::is_armed(beat))
+    return std::nullopt;
+  const auto before = std::exchange(boot_ms_, std::nullopt); // what comes next is of the new clock
+  maybe_.reset();
+  ++restarts_;
+  return vehicle_restarted{before.value_or(0), 0};
 }
 
 std::int64_t vehicle_watch::number_of(std::uint8_t sequence, std::int64_t now_ns) {

@@ -72,6 +72,9 @@ public:
   // The autopilot's time since boot, from any of its messages. It has started again when three of them that rise, over
   // a second at least, go back to before what was heard, and none of the old clock comes between.
   [[nodiscard]] std::optional<vehicle_restarted> on_boot_time(std::uint32_t boot_ms, std::int64_t now_ns);
+  // The autopilot's heartbeats: it has started again when it boots after it did not (ArduPilot BOOT, PX4 UNINIT), and
+  // that comes before all else that it sends (seen on ArduCopter 4.7-dev and PX4 1.17).
+  [[nodiscard]] std::optional<vehicle_restarted> on_state(const io::mavlink::heartbeat& beat);
   // For each frame of the vehicle: its number as if it did not wrap, by which one that comes late, or twice, is known.
   // A loss of more than 127 frames in a row makes it too low for a while.
   [[nodiscard]] std::int64_t number_of(std::uint8_t sequence, std::int64_t now_ns);
@@ -124,6 +127,7 @@ private:
     std::int64_t since_ns = 0;
   };
 
+  bool was_up_ = false; // its last heartbeat was of one that does not boot
   std::optional<std::uint32_t> boot_ms_;
   std::optional<new_clock> maybe_;
   std::int64_t newest_number_ = 0; // of all frames

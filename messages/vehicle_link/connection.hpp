@@ -119,7 +119,8 @@ struct connection_changed {
   GODWIT_FIELDS(connection_changed, "vehicle_link.connection_changed", phase, reason);
 };
 
-// The autopilot's clock since boot went back: it started again. What it held in memory only is gone.
+// The autopilot's heartbeat is one of a boot, or its clock since boot went back: it started again. What it held in
+// memory only is gone. Times: 0 where they are not known.
 struct vehicle_restarted {
   std::uint32_t boot_ms_before = 0;
   std::uint32_t boot_ms_now = 0;

@@ -197,6 +197,9 @@ constexpr std::array table{
     flying_on(trigger::found_in_flight, of(flying, paused), flown_to_end, landing),
     flying_on(trigger::found_in_flight, open, no_guard, flying),
     // the end
+    with(ended(trigger::flight_ended, in_the_flight, without_plan, paused), cause::taken_over,
+         "the flight ended as its autopilot started again; nothing is uploaded, armed or started until an operator "
+         "hands the vehicle back"),
     with(ended(trigger::flight_ended, in_the_flight, with_person, paused), cause_rule::kept,
          "the flight ended under manual control; nothing is uploaded, armed or started until an operator hands the "
          "vehicle back"),

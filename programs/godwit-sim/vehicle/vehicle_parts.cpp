@@ -137,7 +137,8 @@ void vehicle::parts::send_streams() {
   for (line_number number = 0; number < streams_.size(); ++number) {
     const auto there = out_.aim(number);
     streams_[number].messages.for_each_due(now_.world_ns, [this](std::uint32_t id) {
-      static_cast<void>(tells_.send(id, now_.world_ns)); // those of the table are known
+      if (!state_.is_booting || id == mavlink::heartbeat::message_id)
+        static_cast<void>(tells_.send(id, now_.world_ns)); // those of the table are known
     });
   }
 }
@@ -155,6 +156,7 @@ void vehicle::parts::advance_world() {
 }
 
 void vehicle::parts::advance_autopilot() {
+  state_.is_booting = state_.is_booting && state_.up_ns(now_.world_ns) < traits_.boots_ns;
   state_.is_ready = state_.up_ns(now_.world_ns) >= traits_.ready_after_ns;
   state_.has_estimate = state_.has_position && state_.up_ns(now_.world_ns) >= traits_.estimate_after_ns;
   pilot_->on_time();
@@ -230,6 +232,8 @@ void vehicle::parts::start_up() {
   tells_.restart();
   for (auto& each : streams_)
     each = make_streams();
+  state_.is_booting = traits_.boots_ns > 0;
+  static_cast<void>(tells_.send(mavlink::heartbeat::message_id, now_.world_ns)); // it is known
 }
 
 void vehicle::parts::lose_position(bool lost, std::int64_t now_ns) {

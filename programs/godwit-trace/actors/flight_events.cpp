@@ -78,7 +78,8 @@ const flight_events::row flight_events::rows[] = {
                            text(reacts, "stage") + ")",
                        true};
        if (flag(m, "taken_over"))
-         return saying{flight_matter::control, "a pilot has the vehicle; the failsafe warns and sends nothing", true};
+         return saying{flight_matter::control, "somebody else has the vehicle; the failsafe warns and sends nothing",
+                       true};
        return saying{flight_matter::control,
                      flag(m, "in_flight") ? "in flight, the failsafe watches" : "on the ground, the failsafe rests",
                      false};

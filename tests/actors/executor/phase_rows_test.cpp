@@ -193,6 +193,13 @@ std::vector<way> at_the_end() {
   constexpr circumstances with_person_complete{
       .in_flight = true, .cause = taken_over, .is_finished = true, .ends_mission = true};
   return {
+      {flight_ended,
+       flight,
+       {.in_flight = true, .paused = pause_reason::vehicle_restarted},
+       paused,
+       taken_over,
+       no,
+       "autopilot started again"},
       {flight_ended, flight, with_person, paused, taken_over, no, "under manual control"},
       {flight_ended, flight, with_person_at_end, paused, failsafe, no, "under manual control"},
       {flight_ended, flight, flown_to_end, connected, none, no},

@@ -292,6 +292,12 @@ TEST_P(rule, an_autopilot_that_starts_again_in_flight_is_left_to_people) {
   const auto commands = world.commands().size();
   world.run_for(30);
   EXPECT_EQ(world.commands().size(), commands) << world.story();
+  EXPECT_TRUE(needs_hand_back(world.durable().status.cause)) << world.story();
+  if (GetParam() == sim::personality::rover)
+    return; // its heartbeats tell no boot: it is a person's mode
+  EXPECT_TRUE(world.durable().status.reason.starts_with("the flight ended as its autopilot started again"))
+      << world.story();
+  EXPECT_EQ(world.story().find("pilot has the vehicle"), std::string::npos) << world.story();
 }
 
 // -- changes ------------------------------------------------------------------------------------------------

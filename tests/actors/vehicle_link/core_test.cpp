@@ -481,6 +481,40 @@ TEST(vehicle_link_core, timesync_and_ping_are_answered_to_who_asked) {
                   .empty());
 }
 
+// Seen on ArduCopter 4.7-dev and PX4 1.17: the first frame of a restart in flight is a heartbeat of another mode, which
+// was taken for a pilot's.
+TEST(vehicle_link_core, a_heartbeat_of_a_boot_tells_the_restart_before_its_mode_and_once) {
+  for (const auto boot : {mavlink::mav_state::boot, mavlink::mav_state::uninit}) {
+    connected c;
+    const auto hears = [&](mavlink::mav_state state, std::uint32_t mode, std::int64_t now_ns) {
+      mavlink::heartbeat beat;
+      beat.custom_mode = mode;
+      beat.type = mavlink::number(mavlink::mav_type::quadrotor);
+      beat.autopilot = mavlink::number(mavlink::mav_autopilot::px4);
+      beat.system_status = mavlink::number(state);
+      return c.vehicle.say(c.it, beat, now_ns);
+    };
+    EXPECT_TRUE(announced<vehicle_restarted>(hears(boot, 0, s)).empty()) << "nobody knows what was before";
+    EXPECT_TRUE(announced<vehicle_restarted>(hears(mavlink::mav_state::active, 3, 2 * s)).empty());
+    (void)c.vehicle.say(c.it, mavlink::attitude{.time_boot_ms = 90'000}, 2 * s);
+    const auto done = hears(boot, 0, 4 * s);
+    ASSERT_EQ(announced<vehicle_restarted>(done).size(), 1U);
+    const auto is_mode = [](const effect& each) { return std::holds_alternative<observation>(each); };
+    EXPECT_FALSE(is_mode(done.front())) << "the mode comes after it";
+    EXPECT_EQ(observed<mavlink::heartbeat>(done).size(), 1U);
+    int told = 0;
+    for (int second = 5; second < 15; ++second) {
+      told += static_cast<int>(
+          announced<vehicle_restarted>(hears(second < 7 ? boot : mavlink::mav_state::standby, 0, second * s)).size());
+      const auto boot_ms = static_cast<std::uint32_t>(second - 4) * 1'000;
+      told += static_cast<int>(
+          announced<vehicle_restarted>(c.vehicle.say(c.it, mavlink::attitude{.time_boot_ms = boot_ms}, second * s))
+              .size());
+    }
+    EXPECT_EQ(told, 0) << "its new clock tells nothing new";
+  }
+}
+
 TEST(vehicle_link_core, a_restart_of_the_autopilot_is_told_ends_commands_and_asks_for_streams_again) {
   auto configured = quiet();
   configured.streams = {{mavlink::attitude::message_id, 200}};

@@ -137,6 +137,13 @@ std::string control_watch::in_its_mode() const {
          "; nothing is sent until an operator hands it back";
 }
 
+// An autopilot that starts again is in a mode that nobody has chosen, and whoever stands beside it has it now.
+std::string control_watch::who_has_it() const {
+  const bool has_restarted = flight_.s.progress.paused == progress::pause_reason::vehicle_restarted;
+  return has_restarted && !flight_.view.is_armed() ? "the autopilot started again; what it flew is lost"
+                                                   : "a pilot has the vehicle";
+}
+
 bool control_watch::judge_holder(effects& out) {
   if (const auto& acts = flight_.failsafe_status->reacts)
     yield(out, trigger::failsafe_acts,
@@ -150,7 +157,7 @@ bool control_watch::judge_holder(effects& out) {
           "it back");
   else if (!flight_.authority.is_ours() || flight_.failsafe_status->taken_over)
     yield(out, trigger::person_took_over,
-          who_acts_.empty() ? "a pilot has the vehicle" + in_its_mode()
+          who_acts_.empty() ? who_has_it() + in_its_mode()
                             : std::exchange(who_acts_, {}) + "; nothing is sent until an operator hands it back");
   else
     return flight_.authority.is_unclear();

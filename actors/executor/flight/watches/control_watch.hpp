@@ -54,6 +54,7 @@ private:
   void judge_mode(instant now);
   void judge_place(instant now);
   [[nodiscard]] bool judge_holder(effects& out);
+  [[nodiscard]] std::string who_has_it() const;
   [[nodiscard]] std::string in_its_mode() const;       // the end of a sentence about who has the vehicle
   void drop_all(effects& out, const std::string& why); // what is under way, and what is wanted
   [[nodiscard]] std::string left_armed() const;

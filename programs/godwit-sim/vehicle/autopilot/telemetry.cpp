@@ -132,6 +132,8 @@ mavlink::heartbeat telemetry::beat() const {
   auto how = is_active ? mavlink::mav_state::active : mavlink::mav_state::standby;
   if (is_active && (state_.is_battery_empty || !state_.has_position))
     how = mavlink::mav_state::critical;
+  if (state_.is_booting)
+    how = is_ardupilot ? mavlink::mav_state::boot : mavlink::mav_state::uninit;
   m.system_status = mavlink::number(how);
   return m;
 }

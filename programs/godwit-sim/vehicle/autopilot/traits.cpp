@@ -39,6 +39,7 @@ traits px4_traits() {
   t.type = mavlink::mav_type::quadrotor;
   t.autopilot = mavlink::mav_autopilot::px4;
   t.body = multirotor_craft();
+  t.boots_ns = 3 * ns_per_s; // UNINIT
   t.body.spool_up_s = 1.8; // of 1.17: armed by a start, "Takeoff detected" 1.74 to 1.83 s later
   t.modes = px4_modes();
   t.first_mode = px4_mode(4, 3); // AUTO.LOITER
@@ -73,6 +74,7 @@ traits px4_traits() {
 // What its vehicles have in common.
 traits ardupilot_traits() {
   traits t;
+  t.boots_ns = 2 * ns_per_s; // BOOT at 1.05, STANDBY at 3.07
   t.autopilot = mavlink::mav_autopilot::ardupilotmega;
   t.param_encoding = role::param_encoding::as_value;
   t.has_param_file = true;

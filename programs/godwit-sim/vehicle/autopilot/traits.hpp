@@ -71,6 +71,7 @@ struct traits {
 
   sensor_bits sensors;
   std::uint8_t fix_type = 3;                 // gps_fix_type when all is well
+  std::int64_t boots_ns = 0;                 // after a restart: says so in its heartbeats, and nothing else; world time
   std::int64_t ready_after_ns = 0;           // of a start, world time: until then it can not be armed for a flight
   std::int64_t estimate_after_ns = 0;        // the same: until then its estimator does not know where it is
   std::uint16_t total_of_no_mission = 65535; // MISSION_CURRENT

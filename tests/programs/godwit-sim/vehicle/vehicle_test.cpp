@@ -234,7 +234,7 @@ TEST(vehicle, after_a_restart_in_flight_stands_on_the_ground_disarmed_and_its_cl
     EXPECT_EQ(world.command(31'999), std::nullopt) << "nobody is there";
     world.run_for(2'999 * ms);
     EXPECT_TRUE(counted(world, restarted_ns).empty());
-    world.run_for(3 * s);
+    world.run_for(6 * s);
     EXPECT_LT(world.last<mavlink::attitude>()->time_boot_ms, before_ms);
     EXPECT_FALSE(world.picture().armed);
     EXPECT_FALSE(world.picture().in_air);
@@ -243,11 +243,31 @@ TEST(vehicle, after_a_restart_in_flight_stands_on_the_ground_disarmed_and_its_cl
   }
 }
 
+// ArduCopter 4.7: BOOT, STABILIZE, disarmed from its first frame on, STANDBY 2 s later; PX4 1.17: UNINIT for 3 s.
+TEST(vehicle, its_first_words_after_a_restart_are_heartbeats_that_say_so) {
+  for (const auto& [who, how] : {std::pair{personality::ardupilot, mavlink::mav_state::boot},
+                                 std::pair{personality::px4, mavlink::mav_state::uninit}}) {
+    vehicle_world world(who);
+    world.run_for(20 * s);
+    world.subject().reboot(world.now_ns());
+    world.run_for(2'990 * ms);
+    world.mark();
+    world.run_for(1'500 * ms);
+    const auto beats = world.each<mavlink::heartbeat>();
+    ASSERT_FALSE(beats.empty());
+    EXPECT_EQ(beats.front().system_status, mavlink::number(how));
+    EXPECT_TRUE(world.each<mavlink::attitude>().empty());
+    world.run_for(4 * s);
+    EXPECT_EQ(world.last<mavlink::heartbeat>()->system_status, mavlink::number(mavlink::mav_state::standby));
+    EXPECT_FALSE(world.each<mavlink::attitude>().empty());
+  }
+}
+
 TEST(vehicle, forgets_asked_for_intervals_when_it_starts_again) {
   vehicle_world world(personality::ardupilot);
   ASSERT_EQ(world.command(mav_cmd::set_message_interval, {.p1 = 30, .p2 = 20'000}), mav_result::accepted);
   world.subject().reboot(world.now_ns());
-  world.run_for(4 * s);
+  world.run_for(6 * s);
   world.mark();
   world.run_for(10 * s);
   EXPECT_EQ(world.each<mavlink::attitude>().size(), 10U);

@@ -134,7 +134,7 @@ TEST_F(trace_commands, flight_tells_what_people_ask_for_and_nothing_twice) {
                 "the vehicle is in mission, armed", "report 1: started a", "replan to revision 2: 3 items after a",
                 "executor, incarnation 1: crashed: no such item", "replan to revision 2: 3 items after a",
                 "report 2: reached a", "godwitd begins (run 2)",
-                "a pilot has the vehicle; the failsafe warns and sends nothing", "report 3: complete a"}));
+                "somebody else has the vehicle; the failsafe warns and sends nothing", "report 3: complete a"}));
 }
 
 TEST_F(trace_commands, what_is_no_trace_is_said_and_fails) {

@@ -80,6 +80,7 @@ actor::behavior_type actor::handlers() {
           hears<replace_tail>(),
           on<get_service>([this](const get_service&) { return status(); }),
           on_request<retry_outbox, retry_answer>(),
+          on_request<deliver_picture, picture_noted>(),
           on<wake>([this](const wake&) { decision_context(); })};
 }
 

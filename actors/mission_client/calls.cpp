@@ -80,6 +80,11 @@ service_call post_progress(const settings& by, const std::vector<const outbox_ro
 
 service_call post_row(const settings& by, const outbox_row& row) {
   const auto path = path_of(row.mission_id);
+  if (row.to == destination::picture) {
+    auto result = post(by, path + "/pictures", row.key, row.body);
+    result.picture = row.subject;
+    return result;
+  }
   if (row.to == destination::assignment_response)
     return post(by, path + "/assignments/" + row.subject + "/response", row.key, row.body);
   return post(by, path + (row.to == destination::waypoint ? "/waypoints" : "/tail"), row.key, row.body,

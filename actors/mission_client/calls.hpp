@@ -28,7 +28,7 @@ inline constexpr std::size_t reports_per_call = 100;
 
 // ROWS are one cut of a progress lane; the key follows from theirs.
 [[nodiscard]] service_call post_progress(const settings& by, const std::vector<const outbox_row*>& rows);
-// A response, a waypoint or a tail.
+// A response, a waypoint, a tail or a picture.
 [[nodiscard]] service_call post_row(const settings& by, const outbox_row& row);
 [[nodiscard]] service_call post_batch(const settings& by, const mapobjects_store::batch& rows);
 

@@ -3,9 +3,13 @@
 #include <unordered_set>
 #include <utility>
 
+#include "actors/domain/mission/utc_text.hpp"
+#include "actors/domain/mission/version.hpp"
 #include "actors/domain/mission/write.hpp"
 #include "actors/mission_client/decision_context.hpp"
+#include "actors/mission_client/outbox/keys.hpp"
 #include "actors/mission_client/retry_policy.hpp"
+#include "messages/mission/map_objects.hpp"
 #include "runtime/planted_bug.hpp"
 
 namespace godwit::mission_client {
@@ -147,6 +151,22 @@ void take(decision_context& t, const respond_to_assignment& m) {
   }
   if (is_deleted(s, m.mission_id))
     give_up(t, key, row_state::orphaned, std::string(mission_is_deleted));
+}
+
+// Where the service takes none, or there is no room, there is nothing to deliver.
+void take(decision_context& t, const deliver_picture& m) {
+  const auto key = derived_key({"picture", m.mission_id, m.observation_id});
+  t.tell(picture_noted{});
+  if (!mission::takes_pictures(t.s.schema_version) || is_deleted(t.s, m.mission_id) || is_repetition(t.s, key))
+    return;
+  const mission::observation_picture body{key, m.observation_id, mission::utc_text(m.captured_ns), {}};
+  (void)add_row(t,
+                {.key = key,
+                 .to = destination::picture,
+                 .mission_id = m.mission_id,
+                 .subject = m.file,
+                 .body = mission::to_text(body)},
+                0);
 }
 
 void take(decision_context& t, const batch_planned& m) {

@@ -82,6 +82,7 @@ template <class Matches>
 
 void take(decision_context& t, const respond_to_assignment& m);
 void take(decision_context& t, const retry_outbox& m);
+void take(decision_context& t, const deliver_picture& m);
 void take(decision_context& t, const rows_delivered& m);
 void take(decision_context& t, const rows_failed& m);
 void take(decision_context& t, const rows_refused& m);

@@ -159,7 +159,7 @@ using event =
                  respond_to_assignment, insert_waypoint, replace_tail, retry_outbox, begun_anew, progress_told,
                  earlier_delivered, owed_found, mission_fetched, fetch_failed, pull_ended, mission_looked_up,
                  assignments_seen, rows_delivered, rows_failed, rows_refused, mission_gone, batch_planned, batch_empty,
-                 batch_returned, change_done, change_failed, store_operation_done, clock_jumped>;
+                 batch_returned, change_done, change_failed, store_operation_done, clock_jumped, deliver_picture>;
 
 // -- effects, beside what the listener is told ----------------------------------------------------
 
@@ -194,6 +194,6 @@ struct on_disk {
 
 using effect =
     std::variant<mission_loaded, earlier_found, mission_refused, map_pulled, change_outcome, assignment_arrived,
-                 mission_deleted, mission_resolved, retry_answer, row_noted, table_pruned, on_disk>;
+                 mission_deleted, mission_resolved, retry_answer, row_noted, table_pruned, on_disk, picture_noted>;
 
 } // namespace godwit::mission_client

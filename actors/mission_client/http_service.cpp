@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "actors/mission_client/picture_body.hpp"
 #include "io/http/outcome.hpp"
 #include "runtime/clock.hpp"
 
@@ -66,13 +67,14 @@ http::request request_of(service_call call) {
 
 } // namespace
 
-tl::expected<std::shared_ptr<http_service>, std::string> http_service::open(http::settings wanted) {
+tl::expected<std::shared_ptr<http_service>, std::string> http_service::open(http::settings wanted,
+                                                                            std::filesystem::path pictures) {
   wanted.max_under_way = std::max(wanted.max_under_way, min_connections);
   wanted.max_kept = std::max(wanted.max_kept, min_connections);
   auto opened = http::client::open(std::move(wanted));
   if (!opened)
     return tl::unexpected(opened.error().message());
-  std::shared_ptr<http_service> result(new http_service);
+  std::shared_ptr<http_service> result(new http_service(std::move(pictures)));
   result->client_ = std::move(*opened);
   return result;
 }
@@ -98,27 +100,36 @@ void http_service::close() {
 }
 
 std::uint64_t http_service::send(service_call call) {
+  std::optional<service_answer> failure;
+  if (!call.picture.empty() && !put_picture(call, pictures_))
+    failure = {.how = ending::no_picture, .error = "the picture " + call.picture + " is not on the disk any more"};
   std::uint64_t number = 0;
-  std::optional<http::error> refused;
   {
     const std::lock_guard guard(mutex_);
     number = next_number_++;
     if (client_ == nullptr)
       return number;
-    const bool is_page = call.is_page;
-    auto asked = request_of(std::move(call));
-    if (is_page)
-      asked.on_head = [this, number](const http::response& head) { take_head(number, head); };
-    const auto sent = client_->send(std::move(asked),
-                                    [this, number](http::result<http::response> got) { take(number, std::move(got)); });
-    if (sent)
-      under_way_.emplace(number, *sent);
-    else
-      refused = sent.error();
+    if (!failure)
+      failure = send_numbered(number, std::move(call));
   }
-  if (refused)
-    put(failed(number, *refused));
+  if (failure) {
+    failure->number = number;
+    put(*std::move(failure));
+  }
   return number;
+}
+
+std::optional<service_answer> http_service::send_numbered(std::uint64_t number, service_call call) {
+  const bool is_page = call.is_page;
+  auto asked = request_of(std::move(call));
+  if (is_page)
+    asked.on_head = [this, number](const http::response& head) { take_head(number, head); };
+  const auto sent = client_->send(std::move(asked),
+                                  [this, number](http::result<http::response> got) { take(number, std::move(got)); });
+  if (!sent)
+    return failed(number, sent.error());
+  under_way_.emplace(number, *sent);
+  return std::nullopt;
 }
 
 void http_service::cancel(std::uint64_t number) {

@@ -12,11 +12,13 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <tl/expected.hpp>
 
@@ -34,7 +36,9 @@ inline constexpr std::size_t min_connections = 8;
 class http_service final : public service_port {
 public:
   // Connects to nobody yet. WANTED.max_under_way is raised to min_connections.
-  [[nodiscard]] static tl::expected<std::shared_ptr<http_service>, std::string> open(io::http::settings wanted);
+  // PICTURES: the folder of what service_call::picture names; empty: there are none.
+  [[nodiscard]] static tl::expected<std::shared_ptr<http_service>, std::string>
+  open(io::http::settings wanted, std::filesystem::path pictures = {});
   ~http_service() override;
 
   // From now on the actor is woken when an answer comes. The gateway is used by the connection's thread alone.
@@ -50,11 +54,14 @@ public:
   [[nodiscard]] io::http::client_counters counters() const;
 
 private:
-  http_service() = default;
+  explicit http_service(std::filesystem::path pictures) : pictures_(std::move(pictures)) {}
+  // With the lock. None: it is under way.
+  [[nodiscard]] std::optional<service_answer> send_numbered(std::uint64_t number, service_call call);
   void take(std::uint64_t number, io::http::result<io::http::response> got);
   void take_head(std::uint64_t number, const io::http::response& head);
   void put(service_answer answer);
 
+  const std::filesystem::path pictures_;
   mutable std::mutex mutex_; // over the next three; never held while a callback may run
   std::uint64_t next_number_ = 1;
   std::map<std::uint64_t, io::http::request_id> under_way_; // by number; bounded by what the client takes

@@ -55,6 +55,8 @@ judgement judge(const service_answer& answer) {
     return judgement::transient;
   case ending::misconfigured:
     return judgement::misconfigured;
+  case ending::no_picture:
+    return judgement::wrong;
   case ending::bad_answer:
     break;
   }

@@ -20,6 +20,7 @@ enum class ending {
   not_reached,   // the network, or a service that is starting: later the same call may go well
   misconfigured, // TLS, a redirect, the token file: a person has to act first
   bad_answer,    // what came is no answer of this contract: another content type, longer than there may be
+  no_picture,    // nothing was sent: the picture is not on the disk any more
   page_begun,    // no end yet: a page comes, and the body here is the place of the next one
 };
 

@@ -17,7 +17,8 @@ struct service_call {
   bool is_post = false;
   std::string target{}; // path and query below the service's address, percent-encoded
   std::string body{};
-  std::string key{};                // the idempotency key of a POST; it is in the body too
+  std::string key{};     // the idempotency key of a POST; it is in the body too
+  std::string picture{}; // a file of the folder of pictures, whose bytes become the empty `jpeg` at the end of the body
   std::size_t max_answer_bytes = 0; // unpacked
   bool is_page = false; // of the map: it may come compressed, and name the next one before (ending::page_begun)
   std::chrono::milliseconds read_timeout{0};  // without a byte

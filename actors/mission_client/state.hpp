@@ -132,6 +132,11 @@ struct state {
   const auto* note = find_note(s, mission_id);
   return note != nullptr && note->is_deleted;
 }
+// It is loaded, and what the map store owes for it is not asked for yet.
+[[nodiscard]] inline bool is_in_flight(const state& s, std::string_view mission_id) {
+  const auto* note = find_note(s, mission_id);
+  return mission_id == s.mission_id && (note == nullptr || !(note->is_pushing || note->seen_done));
+}
 [[nodiscard]] inline bool is_mission_over(const state& s, std::string_view mission_id) {
   return std::ranges::find(s.over, mission_id) != s.over.end();
 }

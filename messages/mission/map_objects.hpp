@@ -97,6 +97,17 @@ struct ignored_item_batch {
   friend bool operator==(const ignored_item_batch&, const ignored_item_batch&) = default;
 };
 
+// What the camera has shown of what an observation is about. It may come before its observation.
+struct observation_picture {
+  std::string idempotency_key; // UUID
+  std::string observation_id;  // UUID; a repetition changes nothing
+  std::string captured_at;
+  std::string jpeg; // base64 (RFC 4648, 4)
+
+  GODWIT_FIELDS(observation_picture, "mission.observation_picture", idempotency_key, observation_id, captured_at, jpeg);
+  friend bool operator==(const observation_picture&, const observation_picture&) = default;
+};
+
 // All that is known of the map, as it is kept in a file.
 struct map_object_bundle {
   std::string schema_version;

@@ -19,6 +19,9 @@ using flight_handle =
 using operator_handle =
     runtime::mailbox<runtime::asks<retry_outbox, retry_answer>, runtime::asks<get_service, service_status>>;
 
+// Who has pictures.
+using picture_handle = runtime::mailbox<runtime::asks<deliver_picture, picture_noted>>;
+
 // Whom mission_client tells: the executor.
 using listener_handle =
     runtime::mailbox<runtime::tells<mission_loaded>, runtime::tells<mission_refused>, runtime::tells<map_pulled>,
@@ -29,11 +32,10 @@ using listener_handle =
 using wake_handle = runtime::mailbox<runtime::tells<wake>>;
 
 // All that mission_client takes.
-using own_handle =
-    runtime::mailbox<runtime::tells<begin_mission>, runtime::tells<begin_next>, runtime::tells<pull_map>,
-                     runtime::tells<accept_copy>, runtime::tells<push_map>, runtime::tells<report_progress>,
-                     runtime::tells<respond_to_assignment>, runtime::tells<insert_waypoint>,
-                     runtime::tells<replace_tail>, runtime::asks<get_service, service_status>,
-                     runtime::asks<retry_outbox, retry_answer>, runtime::tells<wake>>;
+using own_handle = runtime::mailbox<
+    runtime::tells<begin_mission>, runtime::tells<begin_next>, runtime::tells<pull_map>, runtime::tells<accept_copy>,
+    runtime::tells<push_map>, runtime::tells<report_progress>, runtime::tells<respond_to_assignment>,
+    runtime::tells<insert_waypoint>, runtime::tells<replace_tail>, runtime::asks<get_service, service_status>,
+    runtime::asks<retry_outbox, retry_answer>, runtime::asks<deliver_picture, picture_noted>, runtime::tells<wake>>;
 
 } // namespace godwit::mission_client

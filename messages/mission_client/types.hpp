@@ -87,6 +87,21 @@ struct replace_tail {
   GODWIT_FIELDS(replace_tail, "mission_client.replace_tail", mission_id, tail, is_flown);
 };
 
+// What the camera has shown of what OBSERVATION_ID is about: a JPEG in FILE of the folder of pictures, whose name it
+// is. It is delivered after the flight, to a service that takes pictures. Said again, it changes nothing.
+struct deliver_picture {
+  std::string mission_id;
+  std::string observation_id;
+  std::string file;
+  std::int64_t captured_ns = 0;
+  GODWIT_FIELDS(deliver_picture, "mission_client.deliver_picture", mission_id, observation_id, file, captured_ns);
+};
+
+// It is on the disk that this picture is to be delivered, or it never will be; whoever asked may forget it.
+struct picture_noted {
+  static constexpr auto fields = io::table("mission_client.picture_noted");
+};
+
 // The operator fetched what was needed, or the address of the service was mended: what is pending is tried now, what is
 // orphaned or expired is queued again, with its tries and its window beginning anew.
 struct retry_outbox {

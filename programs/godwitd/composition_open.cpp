@@ -201,7 +201,7 @@ tl::expected<void, std::string> composition::open_files() {
     if (!wanted_.service->token_file.empty())
       if (const auto token = io::http::load_token(wanted_.service->token_file); !token)
         return tl::make_unexpected(token.error().message());
-    auto service = mission_client::http_service::open(*wanted_.service);
+    auto service = mission_client::http_service::open(*wanted_.service, wanted_.pictures_folder);
     if (!service)
       return tl::make_unexpected(std::move(service.error()));
     service_ = *std::move(service);
@@ -262,7 +262,7 @@ tl::expected<void, std::string> composition::make_eyes() {
   if (!made)
     return tl::make_unexpected(std::move(made.error()));
   eyes_ = *std::move(made);
-  point_pictures_ = std::make_shared<point_pictures>();
+  point_pictures_ = std::make_shared<point_pictures>(wanted_.pictures_folder);
   eyes_port_ = std::make_shared<movement_detector::eyes_process>(
       eyes_, [to = point_pictures_](const std::string& sighting_id, io::eyes::cutout what) {
         to->add(sighting_id, std::move(what));

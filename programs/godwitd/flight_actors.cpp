@@ -96,8 +96,9 @@ void add_scan(runtime::system& actors, const daemon_settings& settings, const ac
   made.feeder = actors.add<sightings::feeder>(
       {.name = name(child_name::sightings)}, policy_of(child_name::sightings),
       sightings::feeder_settings{settings.mission_id, outside.service == nullptr}, sightings::store_handle(base.store),
-      scan_controller::candidate_handle(made.scan), outside.sightings, outside.point_pictures,
-      [&outside](const std::string& sentence) { outside.say(feeder_name, sentence, true); });
+      scan_controller::candidate_handle(made.scan),
+      outside.service ? std::optional(mission_client::picture_handle(base.client)) : std::nullopt, outside.sightings,
+      outside.point_pictures, [&outside](const std::string& sentence) { outside.say(feeder_name, sentence, true); });
 }
 
 void add_eyes(runtime::system& actors, const daemon_settings& settings, const actor_surroundings& outside,

@@ -289,6 +289,7 @@ void read_map(const json& configuration, daemon_settings& to) {
 void read_accounts(const json& configuration, daemon_settings& to) {
   const auto& given = configuration.at("operator");
   to.accounts_file = accounts_path(configuration);
+  to.pictures_folder = std::filesystem::path(journal_path(configuration)).replace_extension(".pictures").string();
   to.sessions.session_idle_s = given.at("session_idle_min").get<std::int64_t>() * 60;
   to.sessions.session_most_s = given.at("session_most_h").get<std::int64_t>() * 3'600;
 }

@@ -64,6 +64,7 @@ struct daemon_settings {
   std::string control_path;
   std::optional<operator_port::settings> operators; // none: there is no port for them
   std::string accounts_file;                        // of operators; need not be there
+  std::string pictures_folder;                      // of points of interest; need not be there
   operator_bridge::settings sessions;               // theirs
   std::optional<fleet_link::settings> fleet;        // none: no broker is told anything
   std::string sightings_file;                       // "-": standard input; empty: none

@@ -85,6 +85,7 @@ template read_result<map_object_page> read(std::string_view text);
 template read_result<ignored_item_page> read(std::string_view text);
 template read_result<observation_batch> read(std::string_view text);
 template read_result<ignored_item_batch> read(std::string_view text);
+template read_result<observation_picture> read(std::string_view text);
 template read_result<map_object_bundle> read(std::string_view text);
 template read_result<receipt> read(std::string_view text);
 template read_result<progress_status> read(std::string_view text);

@@ -63,6 +63,8 @@ inline constexpr document_form form_of<observation_batch>{"observation_batch", m
 template <>
 inline constexpr document_form form_of<ignored_item_batch>{"ignored_item_batch", max_batch_bytes, judge::for_rows};
 template <>
+inline constexpr document_form form_of<observation_picture>{"observation_picture", max_answer_bytes};
+template <>
 inline constexpr document_form form_of<map_object_bundle>{"map_object_bundle", max_bundle_bytes, judge::for_rows};
 template <>
 inline constexpr document_form form_of<receipt>{"receipt", max_answer_bytes};

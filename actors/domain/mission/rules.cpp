@@ -221,6 +221,17 @@ document_problems broken_rules(const ignored_item_batch& value) {
   return problems;
 }
 
+document_problems broken_rules(const observation_picture& value) {
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  document_problems problems;
+  add_time_problem(value.captured_at, "/captured_at", problems);
+  const auto end = value.jpeg.find_first_not_of(digits);
+  const auto padding = end == std::string::npos ? std::string_view() : std::string_view(value.jpeg).substr(end);
+  if (value.jpeg.size() % 4 != 0 || !(padding.empty() || padding == "=" || padding == "=="))
+    problems.push_back({"/jpeg", "is no base64", "a JPEG in base64 (RFC 4648, section 4)"});
+  return problems;
+}
+
 document_problems broken_rules(const map_object_bundle& value) {
   document_problems problems;
   add_version_problem(value.schema_version, problems);

@@ -37,6 +37,7 @@ using document_problems = std::vector<document_problem>;
 [[nodiscard]] document_problems broken_rules(const ignored_item_page& value);
 [[nodiscard]] document_problems broken_rules(const observation_batch& value);
 [[nodiscard]] document_problems broken_rules(const ignored_item_batch& value);
+[[nodiscard]] document_problems broken_rules(const observation_picture& value);
 [[nodiscard]] document_problems broken_rules(const map_object_bundle& value);
 [[nodiscard]] document_problems broken_rules(const receipt& value);
 [[nodiscard]] document_problems broken_rules(const progress_status& value);

@@ -15,6 +15,11 @@ namespace godwit::mission {
   return !stated.empty() && !stated.starts_with("1.") && !stated.starts_with("2.0.");
 }
 
+// Such a service takes pictures of what was observed (2.2).
+[[nodiscard]] inline bool takes_pictures(std::string_view stated) {
+  return knows_outcomes(stated) && !stated.starts_with("2.1.");
+}
+
 // A mission states version 2 when something in it needs that.
 inline void raise_version(document& value) {
   if (needs_version_2(value) && value.schema_version.starts_with("1."))

@@ -61,7 +61,7 @@ void deliveries::plan(planning_context& d) {
   plan_batches(d, known);
   std::erase_if(lanes_, [&](const auto& each) { return each.second.waiting == 0 && !known.contains(each.first); });
   for (const auto to : {destination::progress, destination::assignment_response, destination::waypoint,
-                        destination::tail, destination::observations, destination::ignored_items})
+                        destination::tail, destination::observations, destination::ignored_items, destination::picture})
     if (std::ranges::none_of(lanes_, [&](const auto& each) { return each.first.first == to; }))
       d.went_well(kind_of(to));
 }
@@ -76,6 +76,8 @@ void deliveries::plan_lane(planning_context& d, lane& l, const outbox_row& head)
     return;
   if (head.to == destination::progress && asks_progress(d.s, head.mission_id))
     return; // its number is not sure yet
+  if (head.to == destination::picture && is_in_flight(d.s, head.mission_id))
+    return; // reports and the map come first
   if (!is_due(head.next_try_ns, d.now.wall_ns))
     return d.wake_at_wall(head.next_try_ns);
   if (d.now.monotonic_ns < l.not_before_ns)

@@ -26,9 +26,9 @@
 
 namespace godwit::mission_client {
 
-enum class destination { progress, assignment_response, waypoint, tail, observations, ignored_items };
+enum class destination { progress, assignment_response, waypoint, tail, observations, ignored_items, picture };
 
-GODWIT_ENUM_NAMES(destination, progress, assignment_response, waypoint, tail, observations, ignored_items);
+GODWIT_ENUM_NAMES(destination, progress, assignment_response, waypoint, tail, observations, ignored_items, picture);
 
 // Somebody waits for these.
 [[nodiscard]] constexpr bool is_change(destination to) {
@@ -47,7 +47,7 @@ struct outbox_row {
   std::string key{}; // made before the first try, never changed
   destination to = destination::progress;
   std::string mission_id{};
-  std::string subject{};   // of a response: the assignment's id
+  std::string subject{};   // of a response: the assignment's id; of a picture: the name of its file
   std::string body{};      // JSON: the report, or what is posted as it is; of the map's nothing
   std::uint64_t order = 0; // rises by one with each row
   std::int64_t created_ns = 0;

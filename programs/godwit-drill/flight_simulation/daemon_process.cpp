@@ -49,6 +49,11 @@ struct daemon_process::parts {
     meets.ground = ground_wire;
     meets.sightings = feed;
     meets.eyes = eyes;
+    if (const auto& folder = outside.settings.pictures_folder; !folder.empty()) {
+      meets.point_pictures = std::make_shared<daemon::point_pictures>(folder);
+      eyes->give_pictures(
+          [to = meets.point_pictures](const std::string& id, io::eyes::cutout what) { to->add(id, std::move(what)); });
+    }
     for (const auto& each : outside.seen)
       add(each);
     meets.seed = seed;
@@ -79,7 +84,8 @@ struct daemon_process::parts {
   std::shared_ptr<daemon::sighting_feed> feed = daemon::sighting_feed::without_file();
   std::shared_ptr<simulated_wire> vehicle_wire = std::make_shared<simulated_wire>();
   std::shared_ptr<simulated_wire> ground_wire = std::make_shared<simulated_wire>();
-  std::shared_ptr<simulated_service_port> service_port = std::make_shared<simulated_service_port>();
+  std::shared_ptr<simulated_service_port> service_port =
+      std::make_shared<simulated_service_port>(outside.settings.pictures_folder);
   std::shared_ptr<mapobjects_store::map_port> map_port = std::make_shared<mapobjects_store::map_port>();
   std::shared_ptr<simulated_eyes> eyes;
   std::shared_ptr<simulated_broker> broker;

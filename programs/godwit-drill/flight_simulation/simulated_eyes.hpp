@@ -1,18 +1,22 @@
-// The helper process godwit-eyes in virtual time, without pictures: it sees what stands within its reach of the pose
-// that it was told, and has the vices of the real one.
+// The helper process godwit-eyes in virtual time, whose pictures are empty: it sees what stands within its reach of the
+// pose that it was told, and has the vices of the real one.
 //
 // It starts within start_takes_ns, says how it is each half second, and what it sees ten times a second. Between two
 // things that are due nothing happens. One for each process. Thread: one.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
+#include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "actors/movement_detector/eyes_port.hpp"
+#include "io/eyes/picture_slot.hpp"
 #include "messages/movement_detector/types.hpp"
 
 namespace godwit::drill {
@@ -46,7 +50,12 @@ public:
   void start(std::uint32_t run, const io::eyes::begin& how) override;
   void end(std::uint32_t upto) override;
   void tell(const io::eyes::pose& where) override { pose_ = where; }
-  void keep_picture(std::uint32_t, std::int64_t, const std::string&) override {} // it has none
+  void keep_picture(std::uint32_t track, std::int64_t captured_ns, const std::string& id) override {
+    if (pictures_)
+      pictures_(id, {track, captured_ns, 1, 1, {std::byte{0xFF}, std::byte{0xD8}, std::byte{0xFF}, std::byte{0xD9}}});
+  }
+  using picture_taker = std::function<void(const std::string& sighting_id, io::eyes::cutout what)>;
+  void give_pictures(picture_taker to) { pictures_ = std::move(to); }
 
   // What it has to say by then.
   [[nodiscard]] std::vector<news> on_time(std::int64_t now_ns);
@@ -60,6 +69,7 @@ private:
   [[nodiscard]] movement_detector::helper_candidates candidates(std::int64_t now_ns) const;
 
   eyes_faults& faults_;
+  picture_taker pictures_;
   std::optional<std::uint32_t> run_;
   std::optional<io::eyes::pose> pose_;
   bool is_starting_ = false;

@@ -7,14 +7,17 @@
 
 #include <cstdint>
 #include <deque>
+#include <filesystem>
 #include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "actors/mission_client/picture_body.hpp"
 #include "actors/mission_client/service_port.hpp"
 #include "messages/mission/document.hpp"
 #include "messages/mission/map_objects.hpp"
@@ -35,8 +38,13 @@ public:
     mission_client::service_call what;
   };
 
+  explicit simulated_service_port(std::filesystem::path pictures) : pictures_(std::move(pictures)) {}
+
   [[nodiscard]] std::uint64_t send(mission_client::service_call call) override {
-    sent_.push_back({next_number_, std::move(call)});
+    if (!call.picture.empty() && !mission_client::put_picture(call, pictures_))
+      put({.number = next_number_, .how = mission_client::ending::no_picture, .error = "there is no such picture"});
+    else
+      sent_.push_back({next_number_, std::move(call)});
     return next_number_++;
   }
   void cancel(std::uint64_t number) override { cancelled_.push_back(number); }
@@ -56,6 +64,7 @@ public:
   [[nodiscard]] std::vector<std::uint64_t> take_cancelled() { return std::exchange(cancelled_, {}); }
 
 private:
+  const std::filesystem::path pictures_;
   std::function<void()> wake_;
   std::uint64_t next_number_ = 1;
   std::uint64_t first_open_ = 1; // that cancel_all has not met

@@ -18,9 +18,10 @@ enum class row_kind {
   progress,     // report_no
   change,       // an insert or a tail: its idempotency key
   response,     // to an assignment: assignment_id
+  picture,      // observation_id
 };
 
-GODWIT_ENUM_NAMES(row_kind, observation, ignored_item, progress, change, response);
+GODWIT_ENUM_NAMES(row_kind, observation, ignored_item, progress, change, response, picture);
 
 struct stored_row {
   std::string id;

@@ -31,6 +31,7 @@ constexpr std::array path_rows{
     path_row{"POST", "/tail", endpoint::post_tail, mission::max_mission_bytes},
     path_row{"GET", "/progress", endpoint::get_progress, 0},
     path_row{"POST", "/progress", endpoint::post_progress, mission::max_batch_bytes},
+    path_row{"POST", "/pictures", endpoint::post_picture, mission::max_answer_bytes},
     path_row{"GET", "/assignments", endpoint::get_assignments, 0},
     path_row{"POST", "/assignments/*/response", endpoint::post_response, mission::max_answer_bytes},
 };

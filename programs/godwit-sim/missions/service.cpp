@@ -25,6 +25,7 @@ constexpr std::array handlers{
     handler_row{endpoint::post_map_objects, post_map_objects},
     handler_row{endpoint::get_ignored, get_ignored},
     handler_row{endpoint::post_ignored, post_ignored},
+    handler_row{endpoint::post_picture, post_picture},
     handler_row{endpoint::post_waypoints, post_waypoint},
     handler_row{endpoint::post_tail, post_tail},
     handler_row{endpoint::post_progress, post_progress},

@@ -231,4 +231,10 @@ answer post_ignored(service_file& file, const call& at) {
   });
 }
 
+answer post_picture(service_file& file, const call& at) {
+  return post_once<mission::observation_picture>(file, at, [&](const mission::observation_picture& body) {
+    return put_rows(file, at, row_kind::picture, std::vector{body}, &mission::observation_picture::observation_id);
+  });
+}
+
 } // namespace godwit::sim::missions

@@ -100,5 +100,6 @@ template <class Body, class Apply>
 [[nodiscard]] answer post_progress(service_file& file, const call& at);
 [[nodiscard]] answer post_map_objects(service_file& file, const call& at);
 [[nodiscard]] answer post_ignored(service_file& file, const call& at);
+[[nodiscard]] answer post_picture(service_file& file, const call& at);
 
 } // namespace godwit::sim::missions

@@ -72,9 +72,9 @@ server_response camera_api::picture_of_point(const server_request& asked) const 
   const auto point = point_of(asked.target);
   const auto seen = point ? parts_.of_point(*point) : std::nullopt;
   if (!seen)
-    return io::http::problem_response(404, "There is no picture of that point: it was not seen by the camera of this "
-                                           "flight, or it is one of long ago.");
-  return answer_with(seen->jpeg, parts_.time->monotonic_ns() - seen->captured_ns);
+    return io::http::problem_response(404, "There is no picture of that point: the camera did not see it, or it is "
+                                           "one of long ago.");
+  return answer_with(seen->jpeg, parts_.time->wall_ns() - seen->captured_ns);
 }
 
 server_response camera_api::answer_with(const std::vector<std::byte>& jpeg, std::int64_t age_ns) const {

@@ -20,6 +20,7 @@
 
 #include "io/eyes/picture_slot.hpp"
 #include "programs/godwitd/operator_port/router.hpp"
+#include "programs/godwitd/sightings/point_pictures.hpp"
 #include "runtime/clock.hpp"
 
 namespace godwit::operator_port {
@@ -27,7 +28,7 @@ namespace godwit::operator_port {
 struct camera_parts {
   std::function<std::optional<io::eyes::picture>(std::uint64_t after)> newest;
   std::function<void(std::int64_t until_ns)> want; // pictures until then; quick
-  std::function<std::optional<io::eyes::cutout>(std::uint64_t point)> of_point;
+  std::function<std::optional<daemon::point_picture>(std::uint64_t point)> of_point;
   const runtime::time_source* time = nullptr;
 };
 

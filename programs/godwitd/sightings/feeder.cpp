@@ -33,10 +33,12 @@ std::optional<scan_controller::candidate> candidate_of(const mapobjects_store::o
 } // namespace
 
 feeder::feeder(runtime::spawn_context context, feeder_settings configured, store_handle store,
-               scan_controller::candidate_handle scan, std::shared_ptr<daemon::sighting_feed> feed,
-               std::shared_ptr<daemon::point_pictures> pictures, complainer complain)
+               scan_controller::candidate_handle scan, std::optional<mission_client::picture_handle> client,
+               std::shared_ptr<daemon::sighting_feed> feed, std::shared_ptr<daemon::point_pictures> pictures,
+               complainer complain)
     : actor_base(std::move(context)), settings_(std::move(configured)), store_(std::move(store)),
-      scan_(std::move(scan)), feed_(std::move(feed)), pictures_(std::move(pictures)), complain_(std::move(complain)) {}
+      scan_(std::move(scan)), client_(std::move(client)), feed_(std::move(feed)), pictures_(std::move(pictures)),
+      complain_(std::move(complain)) {}
 
 feeder::~feeder() = default;
 
@@ -50,6 +52,7 @@ feeder::behavior_type feeder::handlers() {
             if (has_begun_)
               flow_->look_again();
             offer_again();
+            hand_over_pictures();
             tell_after(tick_period, me(), tick{incarnation_number()});
           }),
           on<mapobjects_store::sighting>([this](const mapobjects_store::sighting& seen) { take(seen); }),
@@ -101,8 +104,8 @@ void feeder::offer(const mapobjects_store::observed& seen, daemon::sighting_flow
     return then(sighting_flow::offer_outcome::taken);
   ask(
       scan_, offer_timeout, *candidate,
-      [this, then, id = candidate->id](const scan_controller::candidate_answer& answer) {
-        note_point(id, answer);
+      [this, then, candidate](const scan_controller::candidate_answer& answer) {
+        note_point(*candidate, answer);
         then(sighting_flow::offer_outcome::taken);
       },
       [this, then, candidate](const ask_error& why) {
@@ -113,9 +116,33 @@ void feeder::offer(const mapobjects_store::observed& seen, daemon::sighting_flow
       });
 }
 
-void feeder::note_point(const std::string& id, const scan_controller::candidate_answer& answer) {
-  if (pictures_ && answer.point != 0)
-    pictures_->belongs(id, answer.point);
+void feeder::note_point(const scan_controller::candidate& seen, const scan_controller::candidate_answer& answer) {
+  if (!pictures_ || answer.point == 0)
+    return;
+  pictures_->belongs(seen.id, {answer.point, seen.mission_id, seen.at_ns});
+  if (const auto lost = pictures_->lost(); lost != std::exchange(told_lost_, lost))
+    complain_(std::to_string(lost) +
+              " pictures of points of interest are lost: the disk does not take them, or there "
+              "are more than " +
+              std::to_string(daemon::point_pictures::max_files));
+}
+
+// On the ground; one by one. Whoever delivers them has noted it on the disk with its answer.
+void feeder::hand_over_pictures() {
+  if (!pictures_ || !client_ || is_handing_over_ || (feed_ && feed_->is_gate_open()))
+    return;
+  const auto next = pictures_->next();
+  if (!next)
+    return;
+  is_handing_over_ = true;
+  ask(
+      *client_, answer_timeout, *next,
+      [this, file = next->file](const mission_client::picture_noted&) {
+        is_handing_over_ = false;
+        pictures_->noted(file);
+        hand_over_pictures();
+      },
+      [this](const ask_error&) { is_handing_over_ = false; }); // asked again with the next tick
 }
 
 // It comes, or comes back, a few seconds after the start of a flight or of godwitd.
@@ -139,9 +166,9 @@ void feeder::offer_again() {
   };
   ask(
       scan_, offer_timeout, untaken_.front(),
-      [this, resolve, id = untaken_.front().id](const scan_controller::candidate_answer& answer) {
-        note_point(id, answer);
-        resolve(id);
+      [this, resolve, seen = untaken_.front()](const scan_controller::candidate_answer& answer) {
+        note_point(seen, answer);
+        resolve(seen.id);
         offer_again();
       },
       [this, resolve, id = untaken_.front().id](const ask_error& why) {

@@ -3,10 +3,12 @@
 //
 // The gate is in the feed, which outlives the incarnations; whoever knows where the flight stands opens and closes it.
 // Without a missions service nobody else tells the map store which mission it is, and so the feeder does. Nothing of it
-// is durable: what was not resolved is handed out again. Errors: told to people. Thread: as actor_base.
+// is durable: what was not resolved is handed out again. While the gate is closed the pictures of points are handed
+// over to who delivers them. Errors: told to people. Thread: as actor_base.
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -14,6 +16,7 @@
 #include <string>
 
 #include "messages/mapobjects_store/types.hpp"
+#include "messages/mission_client/handle.hpp"
 #include "messages/scan_controller/handle.hpp"
 #include "programs/godwitd/sightings/messages.hpp"
 #include "programs/godwitd/sightings/point_pictures.hpp"
@@ -42,10 +45,11 @@ public:
   // Findings of the time in which nobody looks for points of interest; the oldest are given up, and the map has them.
   static constexpr std::size_t max_untaken = 256;
 
-  // FEED: null without sightings. PICTURES: null without a camera.
+  // FEED: null without sightings. PICTURES: null without a camera. CLIENT: none without a missions service.
   feeder(runtime::spawn_context context, feeder_settings configured, store_handle store,
-         scan_controller::candidate_handle scan, std::shared_ptr<daemon::sighting_feed> feed,
-         std::shared_ptr<daemon::point_pictures> pictures, complainer complain);
+         scan_controller::candidate_handle scan, std::optional<mission_client::picture_handle> client,
+         std::shared_ptr<daemon::sighting_feed> feed, std::shared_ptr<daemon::point_pictures> pictures,
+         complainer complain);
   ~feeder() override;
 
 protected:
@@ -58,19 +62,23 @@ private:
   void look();
   void choose();
   void offer(const mapobjects_store::observed& seen, daemon::sighting_flow::offered then);
-  void note_point(const std::string& id, const scan_controller::candidate_answer& answer);
+  void note_point(const scan_controller::candidate& seen, const scan_controller::candidate_answer& answer);
+  void hand_over_pictures();
   void put_aside(const scan_controller::candidate& untaken);
   void offer_again();
 
   feeder_settings settings_;
   store_handle store_;
   scan_controller::candidate_handle scan_;
+  std::optional<mission_client::picture_handle> client_;
   std::shared_ptr<daemon::sighting_feed> feed_;
   std::shared_ptr<daemon::point_pictures> pictures_;
   complainer complain_;
   std::optional<daemon::sighting_flow> flow_;      // from started() on
   std::deque<scan_controller::candidate> untaken_; // oldest first
   bool is_offering_again_ = false;
+  bool is_handing_over_ = false;
+  std::uint64_t told_lost_ = 0; // pictures
   bool has_begun_ = false;
   bool is_chosen_ = false;
   bool is_broken_ = false;

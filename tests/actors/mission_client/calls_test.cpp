@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "actors/domain/mission/read.hpp"
+#include "actors/domain/mission/write.hpp"
 
 namespace calls_test {
 
@@ -92,6 +93,19 @@ TEST(mission_client_calls, responses_and_changes_go_out_as_they_were_said) {
   EXPECT_EQ(call.body, row.body);
   EXPECT_EQ(call.key, key);
   EXPECT_TRUE(call.is_post);
+}
+
+TEST(mission_client_calls, a_picture_goes_out_with_the_name_of_its_file_and_without_its_bytes) {
+  outbox_row row;
+  row.key = key;
+  row.mission_id = mission_id;
+  row.to = destination::picture;
+  row.subject = "100_1_m_o.jpg";
+  row.body = mission::to_text(mission::observation_picture{key, mission_id, "2026-05-04T10:16:02Z", {}});
+  const auto call = post_row({}, row);
+  EXPECT_EQ(call.target, "/missions/" + mission_id + "/pictures");
+  EXPECT_EQ(call.picture, row.subject);
+  EXPECT_TRUE(call.body.ends_with(R"("jpeg":""})")) << call.body;
 }
 
 } // namespace calls_test

@@ -215,6 +215,35 @@ TEST(mission_client_core, queued_again_by_hand_a_row_begins_anew_and_its_place_i
   EXPECT_EQ(count_rows(s.rows).pending, 3U);
 }
 
+deliver_picture picture(const std::string& observation_id, const std::string& mission = mission_a) {
+  return {mission, observation_id, observation_id + ".jpg", hour_ns};
+}
+
+TEST(mission_client_core, a_picture_is_noted_once_and_only_for_a_service_that_takes_pictures) {
+  for (const auto& [version, rows] : {std::pair{"2.2.0", 1U}, std::pair{"2.10.0", 1U}, std::pair{"3.0.0", 1U},
+                                      std::pair{"2.1.9", 0U}, std::pair{"2.0.0", 0U}, std::pair{"1.9.0", 0U}}) {
+    auto s = ready();
+    s.schema_version = version;
+    for (int time = 0; time < 2; ++time)
+      EXPECT_EQ(only<picture_noted>(durable_core::apply(s, picture("o"), 9)).size(), 1U) << "who has it may forget it";
+    ASSERT_EQ(s.rows.size(), rows) << version;
+    if (rows == 0)
+      continue;
+    EXPECT_EQ(s.rows[0].subject, "o.jpg");
+    (void)durable_core::apply(s, rows_delivered{{s.rows[0].key}}, 10);
+    (void)durable_core::apply(s, picture("o"), 11);
+    EXPECT_TRUE(s.rows.empty()) << "it was delivered";
+  }
+}
+
+TEST(mission_client_core, pictures_of_a_flight_wait_for_its_push_and_those_of_earlier_ones_do_not) {
+  auto s = ready();
+  EXPECT_TRUE(is_in_flight(s, mission_a));
+  EXPECT_FALSE(is_in_flight(s, "earlier"));
+  (void)durable_core::apply(s, push_map{mission_a}, 9);
+  EXPECT_FALSE(is_in_flight(s, mission_a));
+}
+
 TEST(mission_client_core, a_deleted_mission_orphans_its_own_rows_only_and_is_told_once) {
   auto s = ready();
   (void)durable_core::apply(s, report(1), 10);

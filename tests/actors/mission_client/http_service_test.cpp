@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <mutex>
@@ -67,15 +68,16 @@ protected:
     EXPECT_TRUE(actors_->stop());
   }
 
-  void open(test::http_server::handler answer) {
+  void open(test::http_server::handler answer, const std::filesystem::path& pictures = {}) {
     server_ = std::make_unique<test::http_server>(std::move(answer));
-    open_at(server_->url());
+    open_at(server_->url(), {}, pictures);
   }
-  void open_at(const std::string& url, const std::string& issuer_file = {}) {
+  void open_at(const std::string& url, const std::string& issuer_file = {},
+               const std::filesystem::path& pictures = {}) {
     io::http::settings where;
     where.base_url = url;
     where.ca_file = issuer_file;
-    auto opened = http_service::open(where);
+    auto opened = http_service::open(where, pictures);
     ASSERT_TRUE(opened) << opened.error();
     service_ = *opened;
     service_->attach(actors_->make_gateway("service"), *actor_);
@@ -120,6 +122,25 @@ TEST_F(http_service_test, a_get_brings_status_and_body_and_wakes_the_actor) {
   EXPECT_EQ(got.how, ending::answered);
   EXPECT_EQ(got.status, 200U);
   EXPECT_EQ(got.body, "{}");
+}
+
+TEST_F(http_service_test, a_picture_becomes_the_end_of_its_body_and_one_that_is_gone_is_told) {
+  const std::filesystem::path folder = testing::TempDir();
+  std::ofstream(folder / "p.jpg", std::ios::binary) << "\xFF\xD8\xFF\xD9";
+  open(
+      [](test::http_peer& peer, const test::http_request& asked) {
+        EXPECT_EQ(asked.body(), R"({"jpeg":"/9j/2Q=="})");
+        peer.write(test::http_answer("200 OK", "{}", "Content-Type: application/json\r\n"));
+      },
+      folder);
+  service_call call{.is_post = true, .target = "/x", .body = R"({"jpeg":""})", .key = "k", .picture = "p.jpg"};
+  call.max_answer_bytes = 1'000;
+  call.read_timeout = call.total_timeout = 30s;
+  EXPECT_EQ(answer_to(call).status, 200U);
+  call.picture = "gone.jpg";
+  const auto got = answer_to(call);
+  EXPECT_EQ(judge(got), judgement::wrong);
+  EXPECT_EQ(sentence_of(got), "the picture gone.jpg is not on the disk any more");
 }
 
 TEST_F(http_service_test,

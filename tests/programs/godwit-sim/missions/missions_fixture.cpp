@@ -33,6 +33,7 @@ constexpr std::array judges{
     judge_row{endpoint::post_map_objects, judge<mission::receipt>},
     judge_row{endpoint::get_ignored, judge<mission::ignored_item_page>},
     judge_row{endpoint::post_ignored, judge<mission::receipt>},
+    judge_row{endpoint::post_picture, judge<mission::receipt>},
     judge_row{endpoint::post_waypoints, judge<mission::document>},
     judge_row{endpoint::post_tail, judge<mission::document>},
     judge_row{endpoint::get_progress, judge<mission::progress_status>},

@@ -20,6 +20,7 @@ TEST(missions_route, each_call_of_the_contract_is_known) {
       {"POST", "/mapobjects", endpoint::post_map_objects},
       {"GET", "/mapobjects/ignored", endpoint::get_ignored},
       {"POST", "/mapobjects/ignored", endpoint::post_ignored},
+      {"POST", "/pictures", endpoint::post_picture},
       {"POST", "/waypoints", endpoint::post_waypoints},
       {"POST", "/tail", endpoint::post_tail},
       {"GET", "/progress", endpoint::get_progress},

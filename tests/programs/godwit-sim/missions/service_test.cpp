@@ -99,6 +99,24 @@ TEST(missions_service, the_next_mission_is_the_first_that_has_not_ended) {
   EXPECT_EQ(service.ask(asked).status, 204U);
 }
 
+TEST(missions_service, a_picture_is_stored_once_before_or_after_its_observation) {
+  judged_service service;
+  const mission::observation_picture picture{uuid(1), uuid(9), "2026-05-04T10:16:02Z", "/9j/2Q=="};
+  EXPECT_EQ(service.ask(posted("/pictures", picture)).status, 200U);
+  auto again = picture;
+  again.idempotency_key = uuid(2);
+  EXPECT_EQ(service.ask(posted("/pictures", again)).status, 200U);
+  const auto counts = row_counts(service.file());
+  EXPECT_EQ(counts.at(row_kind::picture).stored, 1U);
+  EXPECT_EQ(counts.at(row_kind::picture).repeated, 1U);
+  for (const auto* each : {"", "/9j/2Q=", "/9j/2Q=x", "no base64!", "===="}) {
+    auto wrong = picture;
+    wrong.idempotency_key = uuid(3);
+    wrong.jpeg = each;
+    EXPECT_EQ(service.ask(posted("/pictures", wrong)).status, 422U) << each;
+  }
+}
+
 TEST(missions_service, after_a_deletion_all_is_410_for_ever) {
   judged_service service;
   const auto first = posted("/progress", reports(1, 1, 2));

@@ -7,6 +7,7 @@
 #include "actors/domain/geo/geodesic.hpp"
 #include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
 #include "programs/godwit-drill/flight_simulation/scan_mission.hpp"
+#include "tests/programs/godwitd/scratch.hpp"
 
 namespace eyes_flight_test {
 
@@ -18,7 +19,7 @@ using sim::missions::row_kind;
 
 class eyes_flight : public testing::Test {
 protected:
-  eyes_flight() : flight({.speed = 2, .is_shuffled = false}, scan_mission(sim::personality::px4)) {
+  eyes_flight() : flight({.speed = 2, .is_shuffled = false}, mission_with_pictures()) {
     movement_detector::settings camera;
     camera.uri = "test://ball";
     camera.width_px = 640;
@@ -30,6 +31,12 @@ protected:
     settings.scan.looks_for = {"vehicle"};
   }
 
+  // Of a service that takes pictures.
+  static mission::document mission_with_pictures() {
+    auto result = scan_mission(sim::personality::px4);
+    result.schema_version = "2.2.0";
+    return result;
+  }
   void add_mover(std::uint32_t track, double north_m) {
     const auto at = seen_in_survey(flight, "", north_m, 1).position;
     flight.outside().eyes.movers.push_back({track, at.latitude_deg, at.longitude_deg});
@@ -65,6 +72,29 @@ TEST_F(eyes_flight, what_moves_is_shown_to_people_and_their_decisions_reach_the_
   EXPECT_EQ(rows(row_kind::ignored_item, ""), 1U);
   EXPECT_GE(rows(row_kind::observation, "moving"), 2U);
   EXPECT_EQ(flight.outside().eyes.starts, 1);
+}
+
+TEST_F(eyes_flight, the_picture_of_each_point_reaches_the_service_once_over_a_kill_and_a_service_that_fails) {
+  const test::scratch folder;
+  flight.outside().settings.pictures_folder = folder.file("pictures");
+  flight.kill_process(); // the next one has the folder
+  add_mover(1, 30);
+  add_mover(2, 200);
+  fly_to_survey();
+  ASSERT_TRUE(flight.run_until([&] { return flight.process()->points()->counts.opened == 1; }, 300)) << flight.story();
+  flight.run_for(1);
+  flight.kill_process();
+  ASSERT_TRUE(flight.run_until([&] { return flight.process() && flight.process()->points()->counts.opened == 2; }, 300))
+      << flight.story();
+  flight.run_for(5);
+  EXPECT_EQ(rows(row_kind::picture, ""), 0U) << "in flight reports and the map come first";
+  flight.service().set_fault("lose on post-picture times 2");
+  land();
+  ASSERT_TRUE(flight.run_until([&] { return rows(row_kind::picture, "") == 2; }, 120)) << flight.story();
+  EXPECT_EQ(flight.service().figures(row_kind::picture).repeated, 0U);
+  const auto observations = flight.service().rows(flight.mission_id(), row_kind::observation);
+  for (const auto& picture : flight.service().rows(flight.mission_id(), row_kind::picture))
+    EXPECT_EQ(std::ranges::count(observations, picture.id, &sim::missions::stored_row::id), 1) << picture.text;
 }
 
 TEST_F(eyes_flight, they_are_open_only_while_a_mission_with_scanning_is_flown) {

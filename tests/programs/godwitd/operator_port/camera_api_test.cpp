@@ -14,15 +14,14 @@ using io::http::test::raw_client;
 class camera_port : public testing::Test {
 protected:
   camera_port() {
-    const auto api = std::make_shared<camera_api>(
-        camera_parts{[this](std::uint64_t after) { return newest && newest->number > after ? newest : std::nullopt; },
-                     [this](std::int64_t until_ns) { wanted_until_ns = until_ns; },
-                     [this](std::uint64_t point) {
-                       return point == 3 ? std::optional(io::eyes::cutout{
-                                               7, time.monotonic_ns() - 60'000'000'000, 48, 48, {std::byte{0xFF}}})
-                                         : std::nullopt;
-                     },
-                     &time});
+    const auto api = std::make_shared<camera_api>(camera_parts{
+        [this](std::uint64_t after) { return newest && newest->number > after ? newest : std::nullopt; },
+        [this](std::int64_t until_ns) { wanted_until_ns = until_ns; },
+        [this](std::uint64_t point) {
+          return point == 3 ? std::optional(daemon::point_picture{time.wall_ns() - 60'000'000'000, {std::byte{0xFF}}})
+                            : std::nullopt;
+        },
+        &time});
     const auto opened = port.open({.host = "127.0.0.1", .port = 0, .hosts = {}}, api->routes());
     EXPECT_TRUE(opened) << opened.error();
     const auto place = port.place();

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "messages/mission_client/handle.hpp"
 #include "runtime/actor_base.hpp"
 #include "runtime/simulation/simulation.hpp"
 #include "tests/programs/godwitd/scratch.hpp"
@@ -84,6 +85,29 @@ private:
   scan_log* log_;
 };
 
+struct picture_log {
+  std::vector<mission_client::deliver_picture> asked;
+  bool answers = true;
+};
+
+class client_stand_in final : public runtime::actor_base<mission_client::picture_handle> {
+public:
+  client_stand_in(runtime::spawn_context context, picture_log* log) : actor_base(std::move(context)), log_(log) {}
+
+protected:
+  behavior_type handlers() override {
+    using namespace mission_client;
+    return {on_deferred<deliver_picture, picture_noted>([this](const deliver_picture& m, std::uint64_t request_id) {
+      log_->asked.push_back(m);
+      if (log_->answers)
+        answer_later(request_id, picture_noted{});
+    })};
+  }
+
+private:
+  picture_log* log_;
+};
+
 struct process {
   explicit process(bool chooses) : world(disk, 1) {
     feed = daemon::sighting_feed::open(folder.write("seen", test::sighting_lines(lines)), this_mission).value();
@@ -93,8 +117,9 @@ struct process {
     auto& actors = world.actors();
     const auto store = actors.add<store_stand_in>({.name = "store"}, {}, &log);
     const auto scan = actors.add<scan_stand_in>({.name = "scan"}, {}, &offers);
+    const auto client = actors.add<client_stand_in>({.name = "client"}, {}, &delivered);
     who = actors.add<sightings::feeder>({.name = "sightings"}, {}, sightings::feeder_settings{this_mission, chooses},
-                                        store, scan, feed, pictures, [](const std::string&) {});
+                                        store, scan, client, feed, pictures, [](const std::string&) {});
     world.start();
     world.advance(2s);
   }
@@ -110,10 +135,11 @@ struct process {
   test::scratch folder;
   store_log log;
   scan_log offers;
+  picture_log delivered;
   runtime::simulated_disk disk;
   std::counting_semaphore<> woken_up{0};
   std::shared_ptr<daemon::sighting_feed> feed;
-  std::shared_ptr<daemon::point_pictures> pictures = std::make_shared<daemon::point_pictures>();
+  std::shared_ptr<daemon::point_pictures> pictures = std::make_shared<daemon::point_pictures>(folder.file("pictures"));
   runtime::simulation world;
 };
 
@@ -136,8 +162,30 @@ TEST(feeder, the_picture_of_a_sighting_becomes_that_of_its_point) {
   seen.mission_id = this_mission;
   p.world.tell(p.who, seen);
   p.world.advance(2s);
-  ASSERT_TRUE(p.pictures->of(5));
-  EXPECT_EQ(p.pictures->of(5)->track, 7U);
+  EXPECT_TRUE(p.pictures->of(5));
+}
+
+TEST(feeder, pictures_are_handed_over_on_the_ground_one_by_one_until_each_is_noted) {
+  process p(false);
+  p.feed->set_gate(true);
+  p.world.advance(1s);
+  for (const std::string each : {"a", "b"}) {
+    p.pictures->add(each, {7, 100, 48, 48, {std::byte{0xFF}}});
+    p.pictures->belongs(each, {each == "a" ? 1U : 2U, this_mission, each == "a" ? 100 : 200});
+  }
+  p.world.advance(5s);
+  EXPECT_TRUE(p.delivered.asked.empty()) << "it flies";
+  p.delivered.answers = false;
+  p.feed->set_gate(false);
+  p.world.advance(sightings::feeder::answer_timeout + 2s);
+  ASSERT_EQ(p.delivered.asked.size(), 2U) << "asked again for want of an answer, and only this one";
+  EXPECT_EQ(p.delivered.asked[1].observation_id, "a");
+  p.delivered.answers = true;
+  p.world.advance(sightings::feeder::answer_timeout + 2s);
+  ASSERT_EQ(p.delivered.asked.size(), 4U);
+  EXPECT_EQ(p.delivered.asked[3].observation_id, "b");
+  EXPECT_EQ(p.delivered.asked[3].mission_id, this_mission);
+  EXPECT_FALSE(p.pictures->next());
 }
 
 TEST(feeder, what_the_camera_sees_flows_with_the_rest_and_what_finds_no_room_is_counted) {

@@ -105,6 +105,8 @@ bool point_pictures::write(const stored& what, const std::vector<std::byte>& jpe
              static_cast<std::streamsize>(jpeg.size())); // bytes as characters
   file.close();
   const bool is_written = is_marked && file.good();
+  using std::filesystem::perms;
+  std::filesystem::permissions(part, perms::owner_read | perms::owner_write, failed);
   if (is_written)
     std::filesystem::rename(part, path, failed);
   if (is_written && !failed)

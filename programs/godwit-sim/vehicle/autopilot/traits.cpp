@@ -40,7 +40,7 @@ traits px4_traits() {
   t.autopilot = mavlink::mav_autopilot::px4;
   t.body = multirotor_craft();
   t.boots_ns = 3 * ns_per_s; // UNINIT
-  t.body.spool_up_s = 1.8; // of 1.17: armed by a start, "Takeoff detected" 1.74 to 1.83 s later
+  t.body.spool_up_s = 1.8;   // of 1.17: armed by a start, "Takeoff detected" 1.74 to 1.83 s later
   t.modes = px4_modes();
   t.first_mode = px4_mode(4, 3); // AUTO.LOITER
   t.plan_profile = plans::px4_profile();

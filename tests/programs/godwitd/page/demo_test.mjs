@@ -4,7 +4,10 @@
 //   GODWITD=... node --test demo_test.mjs
 //
 // The world runs several times as fast as in the demo. With GODWIT_PICTURES=FOLDER the pictures that README shows are
-// taken of this flight and written there.
+// taken of this flight and written there; with GODWIT_FILM=FOLDER a picture of it each quarter of a second, with what
+// the demo prints below it:
+//
+//   ffmpeg -framerate 8 -i FOLDER/%04d.png -vf scale=800:-1 -quality 55 -loop 0 docs/pictures/demo.webp
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { writeFileSync } from "node:fs";
@@ -39,6 +42,25 @@ async function picture(page, name, theme, tab, size) {
   writeFileSync(join(process.env.GODWIT_PICTURES, `page_${name}.png`), await page.screenshot());
 }
 
+// Until the flight is over.
+async function film(page) {
+  await page.setViewportSize({ width: 1280, height: 840 });
+  await page.evaluate(() => {
+    const words = document.createElement("pre");
+    words.id = "words";
+    words.style = "position:fixed;bottom:0;left:0;right:0;margin:0;padding:8px 16px;height:84px;overflow:hidden;" +
+      "background:#14181b;color:#d8e0d8;font:15px/22px monospace;z-index:99";
+    document.body.append(words);
+  });
+  for (let number = 0; !heard.includes("the flight is over"); number += 1) {
+    const lines = heard.split("\n").filter((line) => line.trim() !== "").slice(-4).join("\n");
+    await page.evaluate((text) => { document.querySelector("#words").textContent = text; }, lines);
+    const name = `${String(number).padStart(4, "0")}.png`;
+    writeFileSync(join(process.env.GODWIT_FILM, name), await page.screenshot());
+    await wait(120);
+  }
+}
+
 test("the page of the demo shows its end as it was", async () => {
   const [, address] = await until(() => /the page: (\S+)/.exec(heard), "the address of the page", () => heard, ready_ms);
   const { chromium } = load("playwright-core");
@@ -60,6 +82,7 @@ test("the page of the demo shows its end as it was", async () => {
     await picture(page, "day", "day", "plots", { width: 1280, height: 800 });
     await page.click("#tab-plan");
   }
+  if (process.env.GODWIT_FILM) await film(page);
   await until(() => heard.includes("the flight is over"), "the flight is over", all_heard, flight_ms);
   for (const [where, words] of [["#phase strong", "done"], ["#line", "live"], ["#authority strong", "nobody"]])
     await until(() => shows(where, words), `${words} in ${where}`, all_heard);

@@ -60,7 +60,8 @@ constexpr std::array endings{
     ending_row{".json", mission_format::json},           ending_row{".plan", mission_format::plan},
     ending_row{".waypoints", mission_format::waypoints}, ending_row{".txt", mission_format::waypoints},
     ending_row{".mission", mission_format::plan},        ending_row{".fen", mission_format::waypoints},
-    ending_row{".geojson", mission_format::geojson},     ending_row{".kml", mission_format::kml},
+    ending_row{".ral", mission_format::waypoints},       ending_row{".geojson", mission_format::geojson},
+    ending_row{".kml", mission_format::kml},
 };
 
 tl::unexpected<conversion_error> not_written(std::string what, std::string allowed, std::string_view text) {

@@ -76,7 +76,6 @@ void import_mission(plan_source& source, const plan_node& mission, std::string_v
 }
 
 plan_parts import_root(plan_source& source, const plan_node& root, const import_options& options) {
-  source.lose_unknown(root, {"fileType", "geoFence", "groundStation", "mission", "rallyPoints", "version"});
   const auto mission = source.object(root, "mission");
   source.lose_unknown(mission, {"cruiseSpeed", "firmwareType", "globalPlanAltitudeMode", "hoverSpeed", "items",
                                 "plannedHomePosition", "vehicleType", "version"});

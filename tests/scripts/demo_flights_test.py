@@ -109,9 +109,10 @@ class Flights(unittest.TestCase):
     @unittest.skipUnless(os.environ.get("TEST_FULL") and (PROGRAMS / "godwit-eyes").exists(), "real time: TEST_FULL=1")
     def test_a_search_finds_two_things_and_the_vehicle_flies_to_one_and_back(self):
         summary = self.fly("--camera", "--speed", "1")  # the last --speed counts
-        self.assertEqual(set(summary), KEYS | {"eyes_kills", "decided", "visited"})
+        self.assertEqual(set(summary), KEYS | {"eyes_kills", "decided", "visited", "pictures_delivered"})
         self.assertEqual((summary["outcome"], summary["reports_lost"]), ("complete", 0))
         self.assertEqual((summary["eyes_kills"], summary["decided"], summary["visited"]), (2, 2, 1))
+        self.assertGreaterEqual(summary["pictures_delivered"], 2)
 
     def test_without_faults_nothing_is_restarted(self):
         summary = self.fly("--no-faults", look=self.read_exports)

@@ -80,7 +80,7 @@ void plan_writer::append(const mission_item_int& item) {
   plan_.items.back().seq = sequence;
   if (const auto change = trigger_change_of(item)) {
     if (change->how == trigger_change::by::distance)
-      trigger_m_ = change->value;
+      trigger_by_distance(change->value, item.param3 == 1);
     else
       is_triggering_ = change->value > 0;
   }
@@ -93,9 +93,25 @@ void plan_writer::append(const mission_item_int& item) {
   if (!is_nav(item) || owner.role == progress::item_role::unflown)
     return;
   owner.last_nav_sequence = sequence;
+  owner.ends_with_picture = false;
   if (!owner.first_nav_sequence)
     owner.first_nav_sequence = sequence;
   ++navs_;
+}
+
+// AT_ONCE: a picture is taken where the vehicle is. With the trigger off that is the last one of the line behind it.
+void plan_writer::trigger_by_distance(double distance_m, bool at_once) {
+  const bool was_on = std::exchange(trigger_m_, distance_m) > 0;
+  if (distance_m > 0)
+    pictures_at_once_ += at_once ? 1 : 0;
+  if (distance_m > 0 || !at_once || !was_on)
+    return;
+  const auto line = std::find_if(plan_.map.items.rbegin(), plan_.map.items.rend(),
+                                 [](const progress::mapped_item& each) { return each.last_nav_sequence.has_value(); });
+  if (line == plan_.map.items.rend() || line->pictures == 0)
+    return;
+  ++line->pictures;
+  line->ends_with_picture = true;
 }
 
 void plan_writer::set_speed(double mps) {
@@ -199,9 +215,13 @@ void plan_writer::go(leg_kind kind, const mission::position& to) {
   if (!std::exchange(skips_leg_, false))
     plan_.legs.push_back({kind, here_, to, item_index()});
   constexpr double most_pictures = 1e6; // of a leg; a trigger by the micrometre is nonsense, and flown all the same
-  if (trigger_m_ > 0 && kind == leg_kind::cruise && !plan_.map.items.empty())
-    plan_.map.items.back().pictures += static_cast<std::uint32_t>(
-        std::min(most_pictures, geo::distance_m(point_of(here_), point_of(to)) / trigger_m_));
+  if (trigger_m_ > 0 && kind == leg_kind::cruise && !plan_.map.items.empty()) {
+    auto& line = plan_.map.items.back();
+    line.pictures += std::exchange(pictures_at_once_, 0) +
+                     static_cast<std::uint32_t>(
+                         std::min(most_pictures, geo::distance_m(point_of(here_), point_of(to)) / trigger_m_));
+    ++line.lines;
+  }
   here_ = to;
 }
 

@@ -83,6 +83,7 @@ private:
   [[nodiscard]] std::uint32_t item_index() const;
   void go(leg_kind kind, const mission::position& to);
   void pay_speed();
+  void trigger_by_distance(double distance_m, bool at_once);
 
   const plan_setting& setting_;
   mission::position start_;
@@ -95,9 +96,10 @@ private:
   std::optional<double> speed_mps_;
   std::size_t navs_ = 0;
   bool is_branch_ = false;
-  double trigger_m_ = 0;       // of a camera that triggers by distance; 0: it does not
-  bool is_triggering_ = false; // it triggers by time
-  bool skips_leg_ = false;     // its next place is not flown to from here
+  double trigger_m_ = 0;               // of a camera that triggers by distance; 0: it does not
+  std::uint32_t pictures_at_once_ = 0; // taken where it was switched on, since the last way
+  bool is_triggering_ = false;         // it triggers by time
+  bool skips_leg_ = false;             // its next place is not flown to from here
   mission::position landed_at_;
   struct planned_jump {
     std::uint16_t sequence;

@@ -70,23 +70,44 @@ void count_pictures(mission::picture_count& to, std::int32_t index, std::uint32_
   to.last = index;
 }
 
-void count_early_picture(generation_state& g) {
+void count_early_picture(generation_state& g, mission::picture_count& to) {
   if (const auto early = std::exchange(g.early, std::nullopt))
-    count_pictures(g.pictures, early->index, early->count);
+    count_pictures(to, early->index, early->count);
 }
 
-// After the item at POSITION a picture is taken, before the next that moves the vehicle.
+// After the item at POSITION a picture is taken, or a line begins.
 bool precedes_picture(const plan_map& map, std::uint32_t position) {
-  for (auto i = position + 1; i < map.items.size() && !map.items[i].last_nav_sequence; ++i)
-    if (map.items[i].act == act_kind::picture)
-      return true;
+  for (auto i = position + 1; i < map.items.size(); ++i) {
+    const auto& next = map.items[i];
+    if (next.act == act_kind::picture || next.last_nav_sequence)
+      return next.act == act_kind::picture || next.pictures > 0;
+  }
   return false;
+}
+
+// The vehicle has moved on to a line.
+bool is_on_next_line(const followed_plan& plan) {
+  const auto& to = plan.generation.moved_to;
+  const auto position = to ? position_at(plan.map, *to) : std::nullopt;
+  return position && plan.map.items[*position].pictures > 0;
+}
+
+// To which way a picture belongs while the vehicle has moved on and what it has left is not resolved. The last ones of
+// a line are reported up to a second after it was left.
+mission::picture_count& pictures_of_now(followed_plan& plan) {
+  auto& g = plan.generation;
+  const auto left = under_way(plan);
+  if (!g.moved_to || (left && left == position_at(plan.map, *g.moved_to)))
+    return g.pictures;
+  const auto planned = left ? plan.map.items[*left].pictures : 0;
+  const bool is_of_line = planned > 0 && (g.pictures.taken < planned || !is_on_next_line(plan));
+  return is_of_line ? g.pictures : g.next_pictures;
 }
 
 void judge_line(decision_context& t, const mapped_item& item, const mission::picture_count& pictures) {
   if (item.pictures == 0)
     return;
-  if (t.s.last_picture && pictures.taken + 1 < item.pictures)
+  if (t.s.last_picture && pictures.taken + std::max<std::uint32_t>(item.lines, 1) < item.pictures)
     tell(t, progress_event_kind::pictures_missing,
          "on the line to item '" + item.item_id + "' " + std::to_string(pictures.taken) + " pictures were taken of " +
              std::to_string(item.pictures) + " that the distance of its trigger gives");
@@ -144,12 +165,14 @@ void take(decision_context& t, const picture_told& what) {
   if (!what.is_good)
     return;
   const auto since = before ? std::int64_t{what.index} - *before : 1;
-  count_early_picture(plan.generation);
-  plan.generation.early = early_picture{
+  auto& g = plan.generation;
+  count_early_picture(g, g.pictures);
+  g.early = early_picture{
       what.index, since > 0 && since <= max_unheard_pictures ? static_cast<std::uint32_t>(since) : 1U, t.now_ns};
   const auto here = under_way(plan);
-  if (!here || plan.map.items[*here].pictures > 0 || !precedes_picture(plan.map, *here))
-    count_early_picture(plan.generation);
+  if (g.moved_to || !here || plan.map.items[*here].pictures > 0 || !precedes_picture(plan.map, *here))
+    count_early_picture(g, pictures_of_now(plan));
+  go_on_if_known(t);
 }
 
 void adopt_early_picture(decision_context& t) {
@@ -157,10 +180,12 @@ void adopt_early_picture(decision_context& t) {
   if (!g.early)
     return;
   const auto act = due_act(*t.s.plan, act_kind::picture);
-  if (!act)
+  if (!act && !is_on_next_line(*t.s.plan))
     return;
   if (is_over(g.early->at_ns, t.now_ns, reached_late_ns))
-    return count_early_picture(g);
+    return count_early_picture(g, g.pictures);
+  if (!act)
+    return count_early_picture(g, g.next_pictures);
   const auto early = *std::exchange(g.early, std::nullopt);
   g.acts.push_back({*act, act_outcome::confirmed, early.index});
   if (early.count > 1)
@@ -180,6 +205,23 @@ bool awaits_outcome(const followed_plan& plan) {
   return false;
 }
 
+bool awaits_last_picture(const followed_plan& plan) {
+  const auto here = under_way(plan);
+  if (!here)
+    return false;
+  const auto& line = plan.map.items[*here];
+  const auto& pictures = plan.generation.pictures;
+  return line.ends_with_picture && *line.last_nav_sequence == plan.generation.current && pictures.taken > 0 &&
+         pictures.taken < line.pictures;
+}
+
+void begin_next_pictures(generation_state& g) {
+  const auto next = std::exchange(g.next_pictures, {});
+  g.pictures.taken += next.taken;
+  g.pictures.first = g.pictures.first ? g.pictures.first : next.first;
+  g.pictures.last = next.last ? next.last : g.pictures.last;
+}
+
 item_findings take_findings(decision_context& t, std::uint32_t position, mission::progress_kind kind) {
   auto& g = t.s.plan->generation;
   const auto& item = t.s.plan->map.items[position];
@@ -194,7 +236,7 @@ item_findings take_findings(decision_context& t, std::uint32_t position, mission
   if (!item.last_nav_sequence || kind != mission::progress_kind::reached)
     return result;
   if (g.early && is_over(g.early->at_ns, t.now_ns, reached_late_ns))
-    count_early_picture(g);
+    count_early_picture(g, g.pictures);
   auto pictures = std::exchange(g.pictures, {});
   judge_line(t, item, pictures);
   if (item.pictures > 0)

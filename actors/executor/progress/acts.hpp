@@ -10,9 +10,11 @@
 //   IMAGE_START_CAPTURE of 1   a picture
 //
 // Pictures are counted for each item that moves the vehicle, by their numbers: one that nobody heard counts where a
-// later one was. Items are resolved in the order of the mission, so an act that may be reported holds up those after
-// it, or the end of the plan, for outcome_late_ns. Thread: one at a time. Source: seen of ArduCopter 4.7.0-dev and
-// PX4 1.18.0-beta1.
+// later one was. A trigger by distance takes its first one where it is switched on and, asked for that, the last one
+// where it is switched off: vehicle and camera report this in any order, and both count on the line. Items are resolved
+// in the order of the mission, so an act that may be reported holds up those after it, or the end of the plan, for
+// outcome_late_ns; so does the last picture of a line on which others were reported. Thread: one at a time. Source:
+// seen of ArduCopter 4.7.0-dev and PX4 1.18.0-beta1; param3 of DO_SET_CAM_TRIGG_DIST in both.
 #pragma once
 
 #include <cstdint>
@@ -32,13 +34,19 @@ namespace godwit::executor::progress {
 void take(decision_context& t, const act_told& what);
 void take(decision_context& t, const picture_told& what);
 
-// A picture of a moment ago is that of an act to which the vehicle has come now.
+// A picture of a moment ago is that of an act or of a line to which the vehicle has come now.
 void adopt_early_picture(decision_context& t);
 
 // The vehicle has gone on from an act of which a report may still come.
 [[nodiscard]] bool awaits_outcome(const followed_plan& plan);
 // So is the item at POSITION.
 [[nodiscard]] bool awaits_outcome(const followed_plan& plan, std::uint32_t position);
+
+// The last picture of the line that ends where the vehicle is may still come.
+[[nodiscard]] bool awaits_last_picture(const followed_plan& plan);
+
+// The item to which the pictures counted so far belong is resolved: those after it count for the next.
+void begin_next_pictures(generation_state& g);
 
 // What is known of the item at POSITION, which is resolved as KIND now; it is forgotten by that.
 [[nodiscard]] item_findings take_findings(decision_context& t, std::uint32_t position, mission::progress_kind kind);

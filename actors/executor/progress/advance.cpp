@@ -14,13 +14,14 @@ namespace {
 
 using mission::progress_kind;
 
-bool is_waiting(const generation_state& g) { return g.moved_to || g.complete_upto; }
+bool is_waiting(const generation_state& g) { return g.moved_to || g.complete_upto || g.is_reached; }
 
-// The item where the vehicle was last is not resolved, and a REACHED of it may still come.
+// The item where the vehicle was last is not resolved, and a REACHED of it or the last picture may still come.
 bool awaits_reached(const followed_plan& plan) {
   const auto& g = plan.generation;
   const auto position = position_at(plan.map, g.current);
-  return position && *position >= g.resolved && done_sequence(plan.map.items[*position]) == g.current;
+  return position && *position >= g.resolved && done_sequence(plan.map.items[*position]) == g.current &&
+         (!g.is_reached || awaits_last_picture(plan));
 }
 
 void note_resolved(followed_plan& plan) { plan.ever_resolved = std::max(plan.ever_resolved, plan.generation.resolved); }
@@ -122,10 +123,19 @@ void finish_or_wait(decision_context& t, bool is_inferred) {
   g.complete_upto = static_cast<std::uint16_t>(end_sequence(t.s.plan->map) - 1);
 }
 
+// What was reached, and waited for the last picture of its line.
+void resolve_reached(decision_context& t) {
+  auto& g = t.s.plan->generation;
+  if (std::exchange(g.is_reached, false) && position_at(t.s.plan->map, g.current) == g.resolved)
+    resolve_next(t, progress_kind::reached, false);
+}
+
 void adopt_move(decision_context& t) {
   auto& g = t.s.plan->generation;
+  resolve_reached(t);
   g.current = *std::exchange(g.moved_to, std::nullopt);
   resolve_passed(t, g.current);
+  begin_next_pictures(g);
   finish_or_wait(t, true);
   begin(t);
 }
@@ -133,6 +143,7 @@ void adopt_move(decision_context& t) {
 // Items after UPTO were not flown: the vehicle was told to end earlier.
 void adopt_complete(decision_context& t) {
   auto& plan = *t.s.plan;
+  resolve_reached(t);
   const auto upto = *std::exchange(plan.generation.complete_upto, std::nullopt);
   const bool awaited_act = is_flown(plan);
   resolve_passed(t, static_cast<std::uint16_t>(upto + 1));
@@ -233,7 +244,13 @@ void arrive(decision_context& t, std::uint16_t sequence) {
   const auto position = position_at(plan.map, sequence);
   if (position && *position == g.resolved && done_sequence(plan.map.items[*position]) == sequence &&
       !awaits_outcome(plan, *position)) {
+    if (sequence == g.current && awaits_last_picture(plan)) {
+      wait_if_new(t, is_waiting(g));
+      g.is_reached = true;
+      return;
+    }
     resolve_next(t, progress_kind::reached, false);
+    g.is_reached = false;
     finish_or_wait(t, false);
   }
   adopt_early_picture(t);
@@ -264,7 +281,7 @@ void note_complete(decision_context& t, std::uint16_t sequence) {
 
 bool has_waited(const decision_context& t) {
   const auto& plan = *t.s.plan;
-  const bool may_be_confirmed = awaits_outcome(plan) || awaits_last_outcome(plan);
+  const bool may_be_confirmed = awaits_outcome(plan) || awaits_last_outcome(plan) || awaits_last_picture(plan);
   return is_over(plan.generation.waiting_since_ns, t.now_ns, may_be_confirmed ? outcome_late_ns : reached_late_ns);
 }
 
@@ -275,7 +292,11 @@ void go_on_if_known(decision_context& t) {
     return;
   if (g.moved_to && !awaits_reached(plan))
     adopt_move(t);
-  const bool has_reached = !awaits_reached(plan) || plan.last_reached == g.current;
+  else if (g.is_reached && !awaits_last_picture(plan)) {
+    resolve_reached(t);
+    finish_or_wait(t, false);
+  }
+  const bool has_reached = !awaits_reached(plan) || (plan.last_reached == g.current && !awaits_last_picture(plan));
   if (g.complete_upto && !g.moved_to && has_reached && !awaits_last_outcome(plan))
     adopt_complete(t);
 }
@@ -283,9 +304,14 @@ void go_on_if_known(decision_context& t) {
 void catch_up(decision_context& t) {
   if (!t.s.plan)
     return;
-  if (t.s.plan->generation.moved_to)
+  auto& g = t.s.plan->generation;
+  if (g.moved_to)
     adopt_move(t);
-  if (t.s.plan->generation.complete_upto)
+  if (g.is_reached) {
+    resolve_reached(t);
+    finish_or_wait(t, false);
+  }
+  if (g.complete_upto)
     adopt_complete(t);
 }
 
@@ -305,7 +331,7 @@ void begin(decision_context& t) {
 void open_generation(decision_context& t, generation_origin origin, std::uint16_t start,
                      const std::vector<mapped_item>& left_out) {
   auto& plan = *t.s.plan;
-  const bool goes_on = origin == generation_origin::start || origin == generation_origin::same_plan;
+  const bool goes_on = origin != generation_origin::new_plan;
   const auto pictures = goes_on ? plan.generation.pictures : mission::picture_count();
   plan.generation = {.number = ++t.s.last_generation,
                      .origin = origin,

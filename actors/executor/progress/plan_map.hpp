@@ -50,10 +50,13 @@ struct mapped_item {
   std::optional<std::uint16_t> last_nav_sequence;
   item_role role = item_role::flown;
   act_kind act = act_kind::none;
-  std::uint32_t pictures = 0; // that a distance trigger takes on the way to it
+  // That a trigger by distance takes on the way to it, those at both ends of a line included; on so many lines.
+  std::uint32_t pictures = 0;
+  std::uint16_t lines = 0;
+  bool ends_with_picture = false; // the last of them is taken as the vehicle leaves it
 
   GODWIT_FIELDS(mapped_item, "executor.progress_mapped_item", item_id, item_index, first_sequence, sequence_count,
-                first_nav_sequence, last_nav_sequence, role, act, pictures);
+                first_nav_sequence, last_nav_sequence, role, act, pictures, lines, ends_with_picture);
   friend bool operator==(const mapped_item&, const mapped_item&) = default;
 };
 

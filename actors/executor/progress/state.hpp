@@ -96,7 +96,9 @@ struct generation_state {
   std::optional<std::uint32_t> started_position; // the last item that was reported as started
   std::vector<resolved_act> acts = {};           // of items that are not resolved; one for each
   mission::picture_count pictures = {};          // since the last item that moves the vehicle was resolved
-  std::optional<early_picture> early = {};       // not counted in `pictures` yet
+  mission::picture_count next_pictures = {};     // on the way that follows: the vehicle has moved on to it
+  bool is_reached = false;                 // the item where it is, which is not resolved: its last picture is awaited
+  std::optional<early_picture> early = {}; // not counted in `pictures` yet
   static constexpr auto fields = io::table(
       "executor.progress_generation_state", io::field("number", &generation_state::number),
       io::field("start_sequence", &generation_state::start_sequence), io::field("origin", &generation_state::origin),
@@ -112,7 +114,8 @@ struct generation_state {
       io::field("heard_ns", &generation_state::heard_ns), io::field("stale_reached", &generation_state::stale_reached),
       io::field("never_near", &generation_state::never_near), io::field("settled", &generation_state::resolved),
       io::field("started_position", &generation_state::started_position), io::field("acts", &generation_state::acts),
-      io::field("pictures", &generation_state::pictures), io::field("early", &generation_state::early));
+      io::field("pictures", &generation_state::pictures), io::field("next_pictures", &generation_state::next_pictures),
+      io::field("is_reached", &generation_state::is_reached), io::field("early", &generation_state::early));
 };
 
 struct followed_plan {

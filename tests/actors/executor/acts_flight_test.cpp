@@ -25,7 +25,8 @@ mission::item act(const std::string& id, io::mavlink::mav_cmd command, double p1
 }
 
 // Up, a line of 60 m with a picture each 10 m, a picture at its end, a load that is released, home.
-mission::document photographing(personality who) {
+// AT_END: one more as the trigger is switched off.
+mission::document photographing(personality who, bool at_end = false) {
   using io::mavlink::mav_cmd;
   auto result = tests::short_mission(who);
   result.schema_version = "2.1.0";
@@ -34,7 +35,7 @@ mission::document photographing(personality who) {
                   tests::place(who, "entry", 30, 0),
                   act("on", mav_cmd::do_set_cam_trigg_dist, 10, 0, 1),
                   tests::place(who, "line", 30, 60),
-                  act("off", mav_cmd::do_set_cam_trigg_dist, 0, 0, 0),
+                  act("off", mav_cmd::do_set_cam_trigg_dist, 0, 0, at_end ? 1 : 0),
                   tests::place(who, "still", 0, 60),
                   act("photo", mav_cmd::image_start_capture, 0, 0, 1),
                   tests::place(who, "yard", 0, 30),
@@ -57,9 +58,9 @@ void expect_all_acts(flight_world& world, personality who, std::uint32_t fewest_
   const auto* line = report_of(world, "line");
   ASSERT_NE(line, nullptr) << world.story();
   ASSERT_TRUE(line->pictures) << world.story();
-  EXPECT_EQ(line->pictures->planned, 6U);
+  EXPECT_EQ(line->pictures->planned, 7U) << "with the one at its beginning";
   EXPECT_GE(line->pictures->taken, fewest_pictures) << world.story();
-  EXPECT_LE(line->pictures->taken, 7U) << world.story();
+  EXPECT_LE(line->pictures->taken, 8U) << world.story();
   const auto* photo = report_of(world, "photo");
   ASSERT_NE(photo, nullptr) << world.story();
   EXPECT_EQ(photo->kind, progress_kind::passed);
@@ -79,6 +80,23 @@ TEST(acts_flight, pictures_and_a_release_are_confirmed_by_who_reports_them) {
     ASSERT_TRUE(world.run_until([&] { return world.durable().status.now == phase::done; }, 900)) << world.story();
     expect_all_acts(world, who, 5);
     EXPECT_EQ(world.reports().back().kind, progress_kind::complete) << world.story();
+  }
+}
+
+// All but the single one are those of the line, whoever reports first: the vehicle or its camera.
+TEST(acts_flight, the_pictures_at_both_ends_of_a_line_are_counted_as_its_own) {
+  for (const auto who : flyers) {
+    flight_world world({.who = who, .has_payload = true});
+    world.load(photographing(who, true));
+    ASSERT_TRUE(world.run_until([&] { return world.durable().status.now == phase::done; }, 900)) << world.story();
+    const auto* line = report_of(world, "line");
+    ASSERT_TRUE(line != nullptr && line->pictures) << world.story();
+    EXPECT_EQ(line->pictures->planned, 8U);
+    EXPECT_EQ(line->pictures->taken, world.pictures().size() - 1) << world.story();
+    EXPECT_GE(line->pictures->taken, 7U);
+    EXPECT_FALSE(line->inferred && who == personality::ardupilot) << "its REACHED came";
+    for (const auto* id : {"entry", "still", "yard"})
+      EXPECT_FALSE(report_of(world, id)->pictures) << id << world.story();
   }
 }
 
@@ -186,7 +204,7 @@ TEST(acts_flight, a_survey_takes_its_pictures_on_the_lines_alone) {
     const auto* field = report_of(world, "field");
     ASSERT_NE(field, nullptr) << world.story();
     ASSERT_TRUE(field->pictures) << world.story();
-    EXPECT_EQ(field->pictures->planned, 24U);
+    EXPECT_EQ(field->pictures->planned, 30U) << "with two at the ends of each line";
     EXPECT_EQ(field->pictures->taken, world.pictures().size()) << world.story();
   }
 }

@@ -308,6 +308,21 @@ mission::document line_with_pictures() {
                      home_again});
 }
 
+TEST(command_planner, the_pictures_of_a_line_are_planned_with_those_that_are_asked_for_at_its_ends) {
+  for (const bool at_beginning : {true, false})
+    for (const bool at_end : {true, false}) {
+      auto mission = line_with_pictures();
+      std::get<mission::command_item>(mission.items[4]).params[2] = at_beginning ? 1 : 0;
+      std::get<mission::command_item>(mission.items[6]).params[2] = at_end ? 1 : 0;
+      const auto plans = build_plans(mission, copter);
+      ASSERT_TRUE(plans.has_value()) << plans.error().message();
+      const auto& map = plans->front().map;
+      EXPECT_EQ(map.items[5].pictures, 31U + (at_beginning ? 1 : 0) + (at_end ? 1 : 0)) << "a hair less than 800 m";
+      EXPECT_EQ(map.items[5].ends_with_picture, at_end);
+      EXPECT_EQ(map.items[7].pictures, 0U);
+    }
+}
+
 TEST(command_planner, a_rest_sets_again_what_the_vehicle_has_lost_and_flies_a_line_from_its_beginning) {
   const auto rest = build_plans(line_with_pictures(), copter, {5, 0});
   ASSERT_TRUE(rest.has_value()) << rest.error().message();

@@ -211,50 +211,167 @@ TEST_F(acts, a_picture_that_was_not_taken_has_failed) {
 }
 
 struct lines : acts {
-  void fly_to_line(std::uint32_t planned = 6) {
+  // A, a line to B, C. The first picture comes before the vehicle reports that it has reached A.
+  void fly_to_line(std::uint32_t planned, bool ends_with_picture = false) {
     auto map = map_of(d.vehicle, {"A", "B", "C"});
     map.items[1].pictures = planned;
+    map.items[1].lines = 1;
+    map.items[1].ends_with_picture = ends_with_picture;
     fly(map);
-    d.take(picture_told{1}); // as the trigger is switched on
+    d.take(picture_told{1});
     d.reached(0);
+    EXPECT_EQ(d.said(), texts{"reached A#0 g1"}) << "the picture is that of the line";
     d.current(1);
     d.said();
   }
+
+  // All but the last one are reported.
+  void fly_to_last_picture() {
+    fly_to_line(3, true);
+    d.take(picture_told{2});
+    d.reached(1);
+    d.wait_ms(300);
+    d.current(2);
+    EXPECT_EQ(d.said(), texts{}) << "the camera may still report it";
+  }
 };
 
-TEST_F(lines, the_pictures_of_a_line_are_counted) {
-  fly_to_line();
+TEST_F(lines, the_pictures_of_a_line_are_counted_from_its_beginning) {
+  fly_to_line(7);
   for (int i = 2; i <= 7; ++i)
     d.take(picture_told{i});
   d.reached(1);
-  EXPECT_EQ(d.said(), texts{"reached B#1 g1 pictures 6 of 6: 2 to 7"});
+  EXPECT_EQ(d.said(), texts{"reached B#1 g1 pictures 7 of 7: 1 to 7"});
   EXPECT_EQ(d.news_told(), texts{});
 }
 
+// As a PX4: nothing comes of a place after which commands stand but that the vehicle goes on.
+TEST_F(lines, the_first_picture_counts_where_the_vehicle_has_gone_on_to) {
+  d = progress_fixture(px4);
+  auto map = map_of(d.vehicle, {"A", "B", "C"});
+  map.items[1].pictures = 2;
+  fly(map);
+  d.current(1);
+  d.take(picture_told{4});
+  d.wait_s(1);
+  d.current(1);
+  EXPECT_EQ(d.said(), (texts{"reached A#0 g1 inferred", "started B#1 g1"}));
+  d.take(picture_told{5});
+  d.reached(1);
+  EXPECT_EQ(d.said(), texts{"reached B#1 g1 pictures 2 of 2: 4 to 5"});
+}
+
+TEST_F(lines, the_last_picture_counts_after_the_vehicle_has_gone_on_from_its_line) {
+  fly_to_last_picture();
+  d.take(picture_told{3});
+  EXPECT_EQ(d.said(), (texts{"reached B#1 g1 pictures 3 of 3: 1 to 3", "started C#2 g1"}));
+  d.take(picture_told{4});
+  d.reached(2);
+  EXPECT_EQ(d.said(), (texts{"reached C#2 g1 pictures 1: 4 to 4", "complete g1"}));
+}
+
+TEST_F(lines, the_last_picture_counts_where_it_comes_before_the_vehicle_goes_on) {
+  fly_to_line(3, true);
+  d.take(picture_told{2});
+  d.reached(1);
+  d.take(picture_told{3});
+  EXPECT_EQ(d.said(), texts{"reached B#1 g1 pictures 3 of 3: 1 to 3"});
+  d.current(2);
+  EXPECT_EQ(d.said(), texts{"started C#2 g1"});
+}
+
+TEST_F(lines, the_last_picture_counts_over_a_crash) {
+  fly_to_last_picture();
+  d.crash();
+  d.take(picture_told{3});
+  EXPECT_EQ(d.said(), (texts{"reached B#1 g1 pictures 3 of 3: 1 to 3", "started C#2 g1"}));
+}
+
+TEST_F(lines, a_last_picture_that_does_not_come_is_awaited_for_two_seconds) {
+  fly_to_last_picture();
+  d.wait_ms(1'600);
+  d.current(2);
+  EXPECT_EQ(d.said(), texts{});
+  d.wait_ms(100);
+  d.current(2);
+  EXPECT_EQ(d.said(), (texts{"reached B#1 g1 pictures 2 of 3: 1 to 2", "started C#2 g1"})) << "it was reported reached";
+  EXPECT_EQ(d.news_told(), texts{}) << "one less is none missing";
+}
+
+TEST_F(lines, a_vehicle_that_stays_at_the_end_of_its_line_has_reached_it) {
+  fly_to_line(3, true);
+  d.take(picture_told{2});
+  d.reached(1);
+  d.wait_s(2);
+  d.current(1);
+  EXPECT_EQ(d.said(), texts{"reached B#1 g1 pictures 2 of 3: 1 to 2"});
+}
+
+TEST_F(lines, a_plan_that_ends_with_a_line_waits_for_its_last_picture) {
+  auto map = map_of(d.vehicle, {"A", "B"});
+  map.items[1].pictures = 2;
+  map.items[1].ends_with_picture = true;
+  fly(map);
+  d.reached(0);
+  d.current(1);
+  d.take(picture_told{1});
+  d.reached(1);
+  d.current(1, mission_state::complete);
+  EXPECT_EQ(d.said(), (texts{"reached A#0 g1", "started B#1 g1"}));
+  d.take(picture_told{2});
+  EXPECT_EQ(d.said(), (texts{"reached B#1 g1 pictures 2 of 2: 1 to 2", "complete g1"}));
+}
+
+TEST_F(lines, a_line_on_which_nobody_reports_pictures_waits_for_none) {
+  auto map = map_of(d.vehicle, {"A", "B"});
+  map.items[0].pictures = 2;
+  map.items[0].ends_with_picture = true;
+  fly(map);
+  d.reached(0);
+  EXPECT_EQ(d.said(), texts{"reached A#0 g1"});
+}
+
 TEST_F(lines, a_picture_that_is_reported_twice_counts_once) {
-  fly_to_line(1);
+  fly_to_line(2);
   d.take(picture_told{2});
   d.take(picture_told{2});
   d.reached(1);
-  EXPECT_EQ(d.said(), texts{"reached B#1 g1 pictures 1 of 1: 2 to 2"});
+  EXPECT_EQ(d.said(), texts{"reached B#1 g1 pictures 2 of 2: 1 to 2"});
 }
 
 TEST_F(lines, pictures_of_a_silence_count_by_their_numbers) {
-  fly_to_line();
+  fly_to_line(7);
   d.take(picture_told{2});
   d.crash();
   d.take(picture_told{7});
   d.reached(1);
-  EXPECT_EQ(d.said(), texts{"reached B#1 g1 pictures 6 of 6: 2 to 7"});
+  EXPECT_EQ(d.said(), texts{"reached B#1 g1 pictures 7 of 7: 1 to 7"});
 }
 
 TEST_F(lines, a_line_with_missing_pictures_is_reported) {
-  fly_to_line();
+  fly_to_line(7);
   for (int i = 2; i <= 5; ++i)
     d.take(picture_told{i});
   d.reached(1);
-  EXPECT_EQ(d.said(), texts{"reached B#1 g1 pictures 4 of 6: 2 to 5"});
+  EXPECT_EQ(d.said(), texts{"reached B#1 g1 pictures 5 of 7: 1 to 5"});
   EXPECT_EQ(d.news_told(), texts{"pictures_missing g1"});
+}
+
+// The vehicle arrives some metres before the end of each.
+TEST_F(lines, one_picture_less_on_each_line_of_a_survey_is_none_missing) {
+  for (const int taken : {3, 2}) {
+    d = progress_fixture(ardupilot);
+    auto map = map_of(d.vehicle, {"A", "field", "C"});
+    map.items[1].pictures = 6;
+    map.items[1].lines = 3;
+    fly(map);
+    d.reached(0);
+    d.current(1);
+    for (int i = 1; i <= taken; ++i)
+      d.take(picture_told{i});
+    d.reached(1);
+    EXPECT_EQ(d.news_told(), taken == 3 ? texts{} : texts{"pictures_missing g1"});
+  }
 }
 
 TEST_F(lines, that_no_pictures_are_reported_at_all_is_told_once) {

@@ -144,7 +144,7 @@ void core::note_of_mission(effects& out, const progress::event& what, instant no
 
 effects core::on_vehicle(const vehicle_link::picture_taken& m, instant now) {
   effects out;
-  note_of_mission(out, progress::picture_told{m.index, m.is_good}, now);
+  note_of_mission(out, progress::picture_told{m.index, m.is_good, m.at}, now);
   return out;
 }
 

@@ -64,23 +64,50 @@ std::uint32_t lines_done(const state& s, const plan::planned_survey& survey) {
   return generation.is_armed ? plan::lines_done_at(survey, generation.current) : survey.lines_before;
 }
 
-// By an earlier plan; laid the same way.
-std::uint32_t lines_left_behind(const state& s, const mission::document& mission, std::size_t index) {
+// The item at INDEX is a survey that an earlier plan was sent away from; laid the same way.
+bool is_left(const state& s, const mission::document& mission, std::size_t index) {
   const auto* const area = std::get_if<mission::survey>(&mission.items[index]);
   const auto& left = s.flown->left;
-  const bool is_same =
-      area != nullptr && left && left->area == *area && left->from == plan::place_before(mission, index);
-  return is_same ? left->lines : 0;
+  return area != nullptr && left && left->area == *area && left->from == plan::place_before(mission, index);
+}
+
+// In the plan on the vehicle. Null: that has no survey there, or lays it in another way.
+const plan::planned_survey* survey_on_vehicle(const state& s, const mission::document& mission, std::size_t index) {
+  const auto& flown = s.flown->mission.items;
+  const auto found = std::ranges::find(s.flown->surveys, index, &plan::planned_survey::item_index);
+  const auto end = static_cast<std::ptrdiff_t>(index) + 1;
+  const bool is_same = found != s.flown->surveys.end() && index < flown.size() &&
+                       std::equal(flown.begin(), flown.begin() + end, mission.items.begin());
+  return is_same ? &*found : nullptr;
+}
+
+const progress::begun_line* line_under_way(const state& s) {
+  return s.progress.mission && s.progress.mission->line ? &*s.progress.mission->line : nullptr;
 }
 
 } // namespace
+
+std::optional<progress::begun_line> line_begun(const state& s, const mission::document& mission, std::size_t index) {
+  const auto* const line = line_under_way(s);
+  if (line == nullptr || !s.flown || !s.progress.plan)
+    return std::nullopt;
+  const auto now = mission::index_of(mission.items, line->item_id);
+  if (!now || *now < index)
+    return std::nullopt;
+  // The way to another item begins at one that is flown, and the planner compares where the picture was taken.
+  const bool is_survey = std::holds_alternative<mission::survey>(mission.items[*now]);
+  const bool is_laid_so = !is_survey || survey_on_vehicle(s, mission, *now) != nullptr || is_left(s, mission, *now);
+  return is_laid_so ? std::optional(*line) : std::nullopt;
+}
 
 std::optional<left_survey> survey_left(const state& s) {
   if (!s.flown || !s.progress.plan)
     return std::nullopt;
   for (const auto& each : s.flown->surveys) {
     const auto lines = lines_done(s, each);
-    if (lines > 0 && lines < each.lines_before + each.line_count)
+    const auto* const line = line_under_way(s);
+    const bool is_begun = line != nullptr && line->item_id == id_of(s.flown->mission.items.at(each.item_index));
+    if ((lines > 0 || is_begun) && lines < each.lines_before + each.line_count)
       return left_survey{std::get<mission::survey>(s.flown->mission.items.at(each.item_index)),
                          plan::place_before(s.flown->mission, each.item_index), lines};
   }
@@ -97,16 +124,9 @@ std::optional<io::mavlink::mission_item_int> camera_to_stop(const state& s) {
 std::uint32_t lines_flown(const state& s, const mission::document& mission, std::size_t index) {
   if (index >= mission.items.size() || !s.flown || !s.progress.plan)
     return 0;
-  const auto& flown = s.flown->mission.items;
-  const auto& surveys = s.flown->surveys;
-  const auto found =
-      std::find_if(surveys.begin(), surveys.end(), [&](const auto& each) { return each.item_index == index; });
-  const auto end = static_cast<std::ptrdiff_t>(index) + 1;
-  if (found == surveys.end())
-    return lines_left_behind(s, mission, index);
-  if (index >= flown.size() || !std::equal(flown.begin(), flown.begin() + end, mission.items.begin()))
-    return 0;
-  return lines_done(s, *found);
+  if (const auto* const survey = survey_on_vehicle(s, mission, index))
+    return lines_done(s, *survey);
+  return is_left(s, mission, index) ? s.flown->left->lines : 0;
 }
 
 tl::expected<reassigned, std::string> reassign(const mission::document& mission, const mission::assignment& assignment,

@@ -34,6 +34,11 @@ namespace godwit::executor {
 // same way: after the same items; or that it was sent away from. Else 0. The line that was begun is not flown.
 [[nodiscard]] std::uint32_t lines_flown(const state& s, const mission::document& mission, std::size_t index);
 
+// The line of MISSION, from the item at INDEX on, on which pictures were taken and that was left before its end.
+// Nothing: there is none, or it is laid in another way now.
+[[nodiscard]] std::optional<progress::begun_line> line_begun(const state& s, const mission::document& mission,
+                                                             std::size_t index);
+
 // The survey in whose middle the plan on the vehicle is, or that an earlier plan was sent away from.
 [[nodiscard]] std::optional<left_survey> survey_left(const state& s);
 

@@ -15,6 +15,13 @@ namespace godwit::vehicle_link {
 
 namespace {
 
+// 0 and 0: it does not say.
+std::optional<mission::vertex> place_of(std::int32_t latitude, std::int32_t longitude) {
+  constexpr double units = io::mavlink::units_of(io::mavlink::coordinate_kind::global);
+  return latitude == 0 && longitude == 0 ? std::nullopt
+                                         : std::optional(mission::vertex{latitude / units, longitude / units});
+}
+
 // Before a vehicle is known: nearly every vehicle is system 1, and a heartbeat has to come from somewhere.
 constexpr std::uint8_t usual_system = 1;
 
@@ -218,14 +225,14 @@ void core::take(decision_context& t, const mavlink::gimbal_device_attitude_statu
 
 void core::take(decision_context& t, const mavlink::camera_feedback& m) {
   has_camera_feedback_ = true;
-  t.announce(picture_taken{m.img_idx, true});
+  t.announce(picture_taken{m.img_idx, true, place_of(m.lat, m.lng)});
 }
 
 // Its clock may be that of the camera. Where an ArduPilot reports the pictures of its camera, that would report each
 // once more, with a number of its own.
 void core::take(decision_context& t, const mavlink::camera_image_captured& m) {
   if (!has_camera_feedback_)
-    t.announce(picture_taken{m.image_index, m.capture_result == 1});
+    t.announce(picture_taken{m.image_index, m.capture_result == 1, place_of(m.lat, m.lon)});
 }
 
 void core::take(decision_context& t, const mavlink::current_mode& m) {

@@ -7,10 +7,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "io/fields/field_table.hpp"
+#include "messages/mission/place.hpp"
 
 namespace godwit::vehicle_link {
 
@@ -36,7 +38,8 @@ struct foreign_act {
 struct picture_taken {
   std::int32_t index = 0; // as its sender counts
   bool is_good = true;
-  GODWIT_FIELDS(picture_taken, "vehicle_link.picture_taken", index, is_good);
+  std::optional<mission::vertex> at = {}; // where; absent: it does not say
+  GODWIT_FIELDS(picture_taken, "vehicle_link.picture_taken", index, is_good, at);
 };
 
 // Asks the vehicle for a heartbeat, and is answered when one has come that it sent after it was asked: HEARTBEATs that

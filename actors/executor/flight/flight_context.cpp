@@ -238,8 +238,10 @@ std::size_t flight_context::first_item(const mission::document& mission) const {
 
 plan::plan_from flight_context::going_on(const mission::document& mission, std::size_t first_item) const {
   const bool is_begun = is_same_mission(mission) && s.progress.mission;
-  return {first_item, lines_flown(s, mission, first_item),
-          is_begun ? s.progress.mission->jumps : std::vector<progress::taken_jump>()};
+  if (!is_begun)
+    return {first_item, lines_flown(s, mission, first_item)};
+  return {first_item, lines_flown(s, mission, first_item), s.progress.mission->jumps,
+          line_begun(s, mission, first_item)};
 }
 
 bool flight_context::may_plan(instant now) const {

@@ -99,6 +99,8 @@ tl::expected<std::vector<flight_plan>, plan_error> build_plans(const mission::do
     const bool is_first = i == from.item_index && begin == i;
     if (owes_state)
       planner.repeat_state_of(from.item_index);
+    if (from.line && (owes_state || is_first))
+      planner.continue_line(*from.line);
     if (const auto altitude_m = is_first ? takes_off_again(mission, setting, i) : std::nullopt)
       planner.take_off_again(*altitude_m);
     if (auto problem = planner.write(i, is_first ? from.lines_before : 0))

@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <tl/expected.hpp>
@@ -20,6 +21,7 @@
 #include "actors/executor/plan/flight_plan.hpp"
 #include "actors/executor/plan/plan_error.hpp"
 #include "actors/executor/plan/setting.hpp"
+#include "actors/executor/progress/state.hpp"
 #include "messages/mission/document.hpp"
 
 namespace godwit::executor::plan {
@@ -27,8 +29,9 @@ namespace godwit::executor::plan {
 // Where the mission is to be taken up.
 struct plan_from {
   std::size_t item_index = 0;
-  std::uint32_t lines_before = 0;               // of that item, when it is a survey: already flown, see lines_done_at
-  std::vector<progress::taken_jump> jumps = {}; // so often was each of them taken
+  std::uint32_t lines_before = 0;                // of that item, when it is a survey: already flown, see lines_done_at
+  std::vector<progress::taken_jump> jumps = {};  // so often was each of them taken
+  std::optional<progress::begun_line> line = {}; // that was left before its end, laid as it is now
 };
 
 // At least one plan.

@@ -6,7 +6,9 @@
 
 #include "actors/domain/mission/commands/item_class.hpp"
 #include "actors/executor/plan/item_planner.hpp"
+#include "actors/executor/plan/line_rest.hpp"
 #include "actors/executor/plan/mission_look.hpp"
+#include "actors/executor/plan/places.hpp"
 #include "actors/executor/plan/vehicle_items.hpp"
 
 namespace godwit::executor::plan {
@@ -195,8 +197,35 @@ void item_planner::leave_line() {
   }
 }
 
-// What the commands before the rest have set, each as it was. A camera that was triggering goes on where its line
-// began: nothing of the line is missing, and no picture is made on the way there.
+const progress::begun_line* item_planner::line_of_item() const {
+  return line_ != nullptr && line_->item_id == mission::id_of(mission_.items[index_]) ? line_ : nullptr;
+}
+
+// To where its last picture was taken, or to its beginning at the item BEGIN. A fixed wing comes there straight. True:
+// it goes on there.
+bool item_planner::lead_in_to_line(std::size_t begin) {
+  constexpr double accept_radius_m = 2; // a PX4's own, 10 m, would begin the pictures before it
+  constexpr double straight_m = 100;    // some turns of a small fixed wing
+  const auto entry = *position_of(mission_.items[begin]);
+  const auto end = position_of(mission_.items[index_]);
+  const auto* const line = line_of_item();
+  const auto done_m =
+      line != nullptr && end ? way_along(point_of(entry), point_of(*end), point_of(line->at)) : std::optional<double>();
+  const auto go_to = [&](double along_m) {
+    const auto there = along_m > 0 ? place_along(entry, *end, along_m) : entry;
+    writer_.cruise_to(there);
+    writer_.add_nav(waypoint_item(there, 0, is(vehicle_class::fixed_wing) ? 0 : accept_radius_m, setting_));
+  };
+  if (done_m && is(vehicle_class::fixed_wing))
+    go_to(*done_m - straight_m);
+  go_to(done_m.value_or(0));
+  if (done_m)
+    writer_.continue_line(line->pictures);
+  return done_m.has_value();
+}
+
+// What the commands before the rest have set, each as it was. A camera that was triggering goes on where its last
+// picture was taken: nothing of the line is missing, and no picture is made on the way there.
 void item_planner::repeat_state() {
   has_repeated_ = true;
   for (const auto index : state_before(mission_, index_)) {
@@ -207,14 +236,14 @@ void item_planner::repeat_state() {
       continue;
     const auto line = mission::state_of(command) == mission::command_state::trigger ? waypoint_before(mission_, index_)
                                                                                     : std::nullopt;
-    const auto entry = line ? position_of(mission_.items[*line]) : std::nullopt;
-    if (entry) {
-      writer_.cruise_to(*entry);
-      writer_.add_nav(waypoint_item(*entry, 0, 0, setting_));
-    }
+    const bool has_entry = line && position_of(mission_.items[*line]);
+    const bool goes_on = has_entry && lead_in_to_line(*line);
+    const auto* const from = goes_on     ? ", from the last picture of its line on."
+                             : has_entry ? ", from the beginning of its line on."
+                                         : ".";
     writer_.repeat(command_item_of(command, setting_));
     writer_.note("Before item '" + mission::id_of(mission_.items[index_]) + "' " + name_of(command) + " of item '" +
-                 command.id + "' is repeated" + (entry ? ", from the beginning of its line on." : "."));
+                 command.id + "' is repeated" + from);
   }
 }
 

@@ -58,7 +58,7 @@ struct flight_plan {
 };
 
 // How many lines of the survey are behind a vehicle that is on its way to SEQUENCE, those of earlier plans included. A
-// line that was begun counts as not flown: who goes on flies it again from its beginning.
+// line that was begun counts as not flown: who goes on flies it from its last picture on.
 [[nodiscard]] std::uint32_t lines_done_at(const planned_survey& survey, std::uint16_t sequence);
 
 } // namespace godwit::executor::plan

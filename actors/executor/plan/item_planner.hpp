@@ -39,6 +39,7 @@
 #include "actors/executor/plan/plan_writer.hpp"
 #include "actors/executor/plan/setting.hpp"
 #include "actors/executor/plan/survey/survey_lines.hpp"
+#include "actors/executor/progress/state.hpp"
 #include "messages/mission/document.hpp"
 
 namespace godwit::executor::plan {
@@ -77,6 +78,9 @@ public:
   void repeat_state_of(std::size_t first) { rest_from_ = first; }
   [[nodiscard]] bool has_repeated_state() const { return has_repeated_; }
 
+  // If the item that is written next is that line, it goes on where its last picture was taken.
+  void continue_line(const progress::begun_line& line) { line_ = &line; }
+
 private:
   using outcome = std::optional<plan_error>;
 
@@ -102,6 +106,9 @@ private:
   void repeat_or_leave_line();
   void repeat_state();
   void leave_line();
+  bool lead_in_to_line(std::size_t begin);
+  // The line that the item continues; null: it continues none.
+  [[nodiscard]] const progress::begun_line* line_of_item() const;
   [[nodiscard]] outcome fly_line(const mission::survey& item, const survey_line& line);
 
   outcome return_by_places(const mission::position& goal);
@@ -130,6 +137,7 @@ private:
   std::optional<double> take_off_first_m_;
   std::optional<std::size_t> rest_from_;
   bool has_repeated_ = false;
+  const progress::begun_line* line_ = nullptr;
 };
 
 } // namespace godwit::executor::plan

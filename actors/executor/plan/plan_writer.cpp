@@ -211,6 +211,12 @@ void plan_writer::end_survey() {
       static_cast<std::uint16_t>((plan_.items.size() - survey.first_line_sequence) / survey.items_per_line);
 }
 
+void plan_writer::continue_line(const mission::picture_count& before) {
+  auto& line = plan_.map.items.back();
+  line.pictures += before.taken;
+  line.continues_line = true;
+}
+
 void plan_writer::go(leg_kind kind, const mission::position& to) {
   if (!std::exchange(skips_leg_, false))
     plan_.legs.push_back({kind, here_, to, item_index()});

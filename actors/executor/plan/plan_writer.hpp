@@ -15,6 +15,7 @@
 #include "actors/executor/plan/flight_plan.hpp"
 #include "actors/executor/plan/setting.hpp"
 #include "messages/mission/place.hpp"
+#include "messages/mission/progress.hpp"
 
 namespace godwit::executor::plan {
 
@@ -49,6 +50,8 @@ public:
   // After it come its lines.
   void begin_survey(std::uint32_t lines_before, std::uint16_t items_per_line, std::uint16_t items_after_line);
   void end_survey();
+  // The item that is written now goes on with a line on which so many pictures were taken before.
+  void continue_line(const mission::picture_count& before);
 
   void climb_to(double altitude_m);
   void cruise_to(const mission::position& to);

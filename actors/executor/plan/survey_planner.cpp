@@ -7,6 +7,7 @@
 
 #include "actors/domain/geo/geodesic.hpp"
 #include "actors/executor/plan/item_planner.hpp"
+#include "actors/executor/plan/line_rest.hpp"
 #include "actors/executor/plan/mission_look.hpp"
 #include "actors/executor/plan/places.hpp"
 #include "actors/executor/plan/survey/survey_lines.hpp"
@@ -71,7 +72,7 @@ std::pair<std::string, std::string> words_for(plan_errc code) {
 item_planner::outcome item_planner::plan(const mission::survey& item) {
   if (auto problem = why_not_flown())
     return problem;
-  const auto lines = survey_lines(item, point_of(place_before(mission_, index_)));
+  auto lines = survey_lines(item, point_of(place_before(mission_, index_)));
   if (!lines) {
     auto [what, remedy] = words_for(lines.error());
     return error(lines.error(), std::move(what), std::move(remedy));
@@ -82,7 +83,13 @@ item_planner::outcome item_planner::plan(const mission::survey& item) {
   if (item.camera && item.camera->gimbal_pitch_deg)
     writer_.repeat(command_item_of(gimbal_pitch(*item.camera->gimbal_pitch_deg), setting_));
   writer_.begin_survey(lines_before_, form.items, form.after);
-  for (auto line = lines->begin() + lines_before_; line != lines->end(); ++line)
+  const auto first = lines->begin() + lines_before_;
+  if (const auto* const begun = line_of_item(); begun != nullptr && item.camera) {
+    if (const auto done_m = way_along(first->from, first->to, point_of(begun->at)))
+      first->from = geo::destination(first->from, geo::bearing_deg(first->from, first->to), *done_m);
+    writer_.continue_line(begun->pictures);
+  }
+  for (auto line = first; line != lines->end(); ++line)
     if (auto problem = fly_line(item, *line))
       return problem;
   writer_.end_survey();

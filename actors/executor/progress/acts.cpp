@@ -92,16 +92,34 @@ bool is_on_next_line(const followed_plan& plan) {
   return position && plan.map.items[*position].pictures > 0;
 }
 
-// To which way a picture belongs while the vehicle has moved on and what it has left is not resolved. The last ones of
-// a line are reported up to a second after it was left.
-mission::picture_count& pictures_of_now(followed_plan& plan) {
-  auto& g = plan.generation;
+// A picture belongs to the way that follows the one which is not resolved. The last ones of a line are reported up to a
+// second after it was left.
+bool is_of_next_way(const followed_plan& plan) {
+  const auto& g = plan.generation;
   const auto left = under_way(plan);
   if (!g.moved_to || (left && left == position_at(plan.map, *g.moved_to)))
-    return g.pictures;
+    return false;
   const auto planned = left ? plan.map.items[*left].pictures : 0;
-  const bool is_of_line = planned > 0 && (g.pictures.taken < planned || !is_on_next_line(plan));
-  return is_of_line ? g.pictures : g.next_pictures;
+  return planned == 0 || (g.pictures.taken >= planned && is_on_next_line(plan));
+}
+
+// Where the pictures counted so far lead to. Nothing: no movement is left.
+std::optional<std::uint32_t> end_of_way(const followed_plan& plan) {
+  for (auto i = plan.generation.resolved; i < plan.map.items.size(); ++i)
+    if (plan.map.items[i].last_nav_sequence)
+      return i;
+  return std::nullopt;
+}
+
+void count_now(decision_context& t, const std::optional<mission::vertex>& at) {
+  auto& plan = *t.s.plan;
+  auto& g = plan.generation;
+  const bool is_next = is_of_next_way(plan);
+  auto& pictures = is_next ? g.next_pictures : g.pictures;
+  count_early_picture(g, pictures);
+  const auto to = is_next ? position_at(plan.map, *g.moved_to) : end_of_way(plan);
+  if (to && at && plan.map.items[*to].pictures > 0)
+    t.s.mission->line = begun_line{.item_id = plan.map.items[*to].item_id, .at = *at, .pictures = pictures};
 }
 
 void judge_line(decision_context& t, const mapped_item& item, const mission::picture_count& pictures) {
@@ -171,7 +189,7 @@ void take(decision_context& t, const picture_told& what) {
       what.index, since > 0 && since <= max_unheard_pictures ? static_cast<std::uint32_t>(since) : 1U, t.now_ns};
   const auto here = under_way(plan);
   if (g.moved_to || !here || plan.map.items[*here].pictures > 0 || !precedes_picture(plan.map, *here))
-    count_early_picture(g, pictures_of_now(plan));
+    count_now(t, what.at);
   go_on_if_known(t);
 }
 
@@ -233,6 +251,8 @@ item_findings take_findings(decision_context& t, std::uint32_t position, mission
           .taken = known->outcome == act_outcome::confirmed ? 1U : 0U, .first = known->picture, .last = known->picture};
     g.acts.erase(known);
   }
+  if (auto& line = t.s.mission->line; line && line->item_id == item.item_id)
+    line.reset();
   if (!item.last_nav_sequence || kind != mission::progress_kind::reached)
     return result;
   if (g.early && is_over(g.early->at_ns, t.now_ns, reached_late_ns))

@@ -178,6 +178,16 @@ void leave_loops(decision_context& t, std::uint16_t from, std::uint16_t to) {
       std::erase_if(t.s.mission->jumps, [&](const taken_jump& jump) { return jump.item_id == jump_of(t, each); });
 }
 
+// Of the line with which the plan begins, and that an earlier one has begun.
+mission::picture_count pictures_before(const decision_context& t) {
+  const auto& items = t.s.plan->map.items;
+  const auto first =
+      std::ranges::find_if(items, [](const mapped_item& each) { return each.last_nav_sequence.has_value(); });
+  const bool continues = first != items.end() && first->continues_line && t.s.mission->line &&
+                         t.s.mission->line->item_id == first->item_id;
+  return continues ? t.s.mission->line->pictures : mission::picture_count();
+}
+
 } // namespace
 
 void finish_if_done(decision_context& t, bool is_inferred) {
@@ -332,7 +342,7 @@ void open_generation(decision_context& t, generation_origin origin, std::uint16_
                      const std::vector<mapped_item>& left_out) {
   auto& plan = *t.s.plan;
   const bool goes_on = origin != generation_origin::new_plan;
-  const auto pictures = goes_on ? plan.generation.pictures : mission::picture_count();
+  const auto pictures = goes_on ? plan.generation.pictures : pictures_before(t);
   plan.generation = {.number = ++t.s.last_generation,
                      .origin = origin,
                      .start_sequence = start,

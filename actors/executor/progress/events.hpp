@@ -15,6 +15,7 @@
 #include "actors/executor/progress/plan_map.hpp"
 #include "io/fields/field_table.hpp"
 #include "io/mavlink/messages/mission.hpp"
+#include "messages/mission/place.hpp"
 #include "messages/mission/progress.hpp"
 
 namespace godwit::executor::progress {
@@ -150,7 +151,8 @@ struct act_told {
 struct picture_told {
   std::int32_t index = 0; // as the camera counts
   bool is_good = true;
-  GODWIT_FIELDS(picture_told, "executor.progress_picture_told", index, is_good);
+  std::optional<mission::vertex> at = {}; // where it was taken, as far as it is known
+  GODWIT_FIELDS(picture_told, "executor.progress_picture_told", index, is_good, at);
 };
 
 // It stands on the ground, disarmed, and nobody has taken it from its mission: a plan that ends with a landing or a

@@ -54,9 +54,10 @@ struct mapped_item {
   std::uint32_t pictures = 0;
   std::uint16_t lines = 0;
   bool ends_with_picture = false; // the last of them is taken as the vehicle leaves it
+  bool continues_line = false;    // the first of them were taken by a plan before
 
   GODWIT_FIELDS(mapped_item, "executor.progress_mapped_item", item_id, item_index, first_sequence, sequence_count,
-                first_nav_sequence, last_nav_sequence, role, act, pictures, lines, ends_with_picture);
+                first_nav_sequence, last_nav_sequence, role, act, pictures, lines, ends_with_picture, continues_line);
   friend bool operator==(const mapped_item&, const mapped_item&) = default;
 };
 

@@ -29,6 +29,14 @@
 
 namespace godwit::executor::progress {
 
+// A line that is not flown to its end: the way to the item, where the last picture was taken on it, and all of them.
+struct begun_line {
+  std::string item_id;
+  mission::vertex at;
+  mission::picture_count pictures;
+  GODWIT_FIELDS(begun_line, "executor.progress_begun_line", item_id, at, pictures);
+};
+
 // One mission, also when others were flown in between.
 struct mission_record {
   std::string mission_id;
@@ -37,8 +45,9 @@ struct mission_record {
   std::optional<mission::progress_report> last_report; // what the answer to an assignment tells
   std::optional<std::int32_t> completed_revision;      // complete is reported once for each
   std::vector<taken_jump> jumps = {};                  // those that were taken; max_mapped_items, then the oldest goes
+  std::optional<begun_line> line = {};                 // also while the plan on the vehicle leads elsewhere
   GODWIT_FIELDS(mission_record, "executor.progress_mission_record", mission_id, revision, report_no, last_report,
-                completed_revision, jumps);
+                completed_revision, jumps, line);
 };
 
 // An act of which it is known what became of it, before the vehicle has gone on from it.

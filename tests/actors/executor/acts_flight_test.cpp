@@ -209,7 +209,15 @@ TEST(acts_flight, a_survey_takes_its_pictures_on_the_lines_alone) {
   }
 }
 
-TEST(acts_flight, an_interrupted_line_is_flown_again_without_pictures_on_the_way) {
+void send_away(flight_world& world, personality who, double then_s) {
+  operators::command away;
+  away.kind = operators::command_kind::go_to;
+  away.place = std::get<mission::waypoint>(tests::place(who, "there", 60, 60)).at;
+  ASSERT_TRUE(world.say(away).is_taken) << world.story();
+  world.run_for(then_s);
+}
+
+TEST(acts_flight, an_interrupted_line_goes_on_at_its_last_picture_without_pictures_on_the_way) {
   for (const auto who : flyers) {
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
       flight_world world({.who = who, .seed = seed, .has_payload = true});
@@ -220,18 +228,47 @@ TEST(acts_flight, an_interrupted_line_is_flown_again_without_pictures_on_the_way
       ASSERT_TRUE(tests::fly_to(world, surveying(who), progress_kind::started, "field"));
       const auto wanted = std::uniform_int_distribution<std::size_t>(2, 12)(random);
       ASSERT_TRUE(world.run_until([&] { return world.pictures().size() >= wanted; }, 120)) << world.story();
-      operators::command away;
-      away.kind = operators::command_kind::go_to;
-      away.place = std::get<mission::waypoint>(tests::place(who, "there", 60, 60)).at;
-      ASSERT_TRUE(world.say(away).is_taken) << world.story();
-      world.run_for(some(4, 15));
+      send_away(world, who, some(4, 15));
       world.crash_all();
       world.run_for(some(2, 6));
       ASSERT_TRUE(world.say(operators::command_kind::cancel).is_taken) << world.sentence() << world.story();
       ASSERT_TRUE(world.run_until([&] { return world.durable().status.now == phase::done; }, 900)) << world.story();
       expect_no_gap(world, who);
-      EXPECT_LE(world.pictures().size(), 30U + 10U) << "one line is flown twice, and no more";
+      EXPECT_LE(world.pictures().size(), 30U + 2U) << "where it was left, and as it goes on";
+      const auto* field = report_of(world, "field");
+      ASSERT_TRUE(field != nullptr && field->pictures) << world.story();
+      EXPECT_EQ(field->pictures->taken, world.pictures().size()) << world.story();
+      EXPECT_LE(field->pictures->taken, *field->pictures->planned);
+      EXPECT_GE(field->pictures->taken + 4, *field->pictures->planned);
       EXPECT_EQ(world.reports().back().kind, progress_kind::complete) << world.story();
+    }
+  }
+}
+
+// The same with the items of a ground station, of which the trigger is one.
+TEST(acts_flight, an_interrupted_line_of_commands_goes_on_at_its_last_picture) {
+  for (const auto who : flyers) {
+    for (const std::size_t wanted : {1, 3, 5}) {
+      flight_world world({.who = who, .has_payload = true});
+      ASSERT_TRUE(tests::fly_to(world, photographing(who, true), progress_kind::started, "line"));
+      ASSERT_TRUE(world.run_until([&] { return world.pictures().size() >= wanted; }, 120)) << world.story();
+      send_away(world, who, 8);
+      ASSERT_TRUE(world.say(operators::command_kind::cancel).is_taken) << world.sentence() << world.story();
+      ASSERT_TRUE(world.run_until([&] { return world.durable().status.now == phase::done; }, 900)) << world.story();
+      const auto* line = report_of(world, "line");
+      ASSERT_TRUE(line != nullptr && line->pictures) << world.story();
+      const auto flown_again = wanted == 1 ? 1U : 0U; // from its beginning, and counted anew
+      EXPECT_EQ(line->pictures->taken, world.pictures().size() - 1 - flown_again) << world.story();
+      EXPECT_LE(line->pictures->taken, 8U + 2U) << world.story();
+      std::vector<double> north_m;
+      const auto entry = std::get<mission::waypoint>(tests::place(who, "", 30, 0)).at;
+      for (const auto& each : world.pictures())
+        north_m.push_back(geo::distance_m(geo::point{entry.latitude, entry.longitude},
+                                          geo::point{each.latitude_deg, each.longitude_deg}));
+      north_m.pop_back(); // the single one
+      std::ranges::sort(north_m);
+      for (std::size_t i = 1; i < north_m.size(); ++i)
+        EXPECT_LT(north_m[i] - north_m[i - 1], 13) << world.story();
     }
   }
 }

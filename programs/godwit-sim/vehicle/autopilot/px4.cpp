@@ -315,8 +315,12 @@ void px4::on_happening(const happening& what) {
     with().out.send(mavlink::mission_item_reached{static_cast<std::uint16_t>(reached->sequence)});
     reached_.reach(reached->sequence, now().world_ns);
   } else if (std::holds_alternative<pictured>(what) && state().has_payload) {
-    mavlink::camera_image_captured m{.camera_id = 1, .image_index = with().state.pictures++, .capture_result = 1};
-    with().out.send(m);
+    const auto& at = craft().where().where;
+    with().out.send(mavlink::camera_image_captured{.camera_id = 1,
+                                                   .lat = e7(at.latitude_deg),
+                                                   .lon = e7(at.longitude_deg),
+                                                   .image_index = with().state.pictures++,
+                                                   .capture_result = 1});
   } else if (std::holds_alternative<took_off>(what)) {
     say_tabbed(mav_severity::info, "Takeoff detected");
     preflight_ends_ns_ = never_ns;

@@ -335,6 +335,55 @@ TEST(command_planner, a_rest_sets_again_what_the_vehicle_has_lost_and_flies_a_li
   EXPECT_EQ(plan.notes.size(), 3U);
 }
 
+plan_from from_picture(double east_m, std::uint32_t taken) {
+  const auto place = at(east_m, 3, 30);
+  plan_from from{5, 0};
+  from.line = progress::begun_line{"exit", {place.latitude, place.longitude}, {.taken = taken, .first = 4, .last = 9}};
+  return from;
+}
+
+TEST(command_planner, the_rest_of_a_line_begins_where_its_last_picture_was_taken) {
+  for (const auto& setting : {copter, px4}) {
+    auto mission = line_with_pictures();
+    mission.items.erase(mission.items.begin() + 8); // the servo, which a PX4 refuses
+    const auto rest = build_plans(mission, setting, from_picture(600, 21));
+    ASSERT_TRUE(rest.has_value()) << rest.error().message();
+    const auto& plan = rest->front();
+    const auto& items = plan.items;
+    const auto lead = plan.map.first_sequence + 3U;
+    ASSERT_EQ(items[lead].command, 16);
+    EXPECT_NEAR(items[lead].y / 1e7, at(600, 0, 30).longitude, 1e-6) << "on the line";
+    EXPECT_NEAR(items[lead].x / 1e7, at(600, 0, 30).latitude, 1e-6);
+    EXPECT_FLOAT_EQ(items[lead].param2, 2) << "not 10 m before it";
+    EXPECT_EQ(items[lead + 1].command, 206);
+    EXPECT_TRUE(plan.map.items.front().continues_line);
+    EXPECT_EQ(plan.map.items.front().pictures, 21U + 1 + 11 + 1) << "taken before, at the beginning, on it, at its end";
+  }
+}
+
+TEST(command_planner, a_fixed_wing_comes_straight_to_the_rest_of_a_line) {
+  auto flying = plane;
+  flying.is_under_way = true;
+  flying.start = at(500, 300, 30);
+  const auto plan = build_plans(line_with_pictures(), flying, from_picture(600, 21))->front();
+  ASSERT_EQ((commands{plan.items[3].command, plan.items[4].command, plan.items[5].command}), (commands{16, 16, 206}));
+  EXPECT_NEAR(plan.items[3].y / 1e7, at(500, 0, 30).longitude, 1e-6);
+  EXPECT_NEAR(plan.items[4].y / 1e7, at(600, 0, 30).longitude, 1e-6);
+}
+
+TEST(command_planner, the_line_of_another_item_or_beside_this_one_is_flown_from_its_beginning) {
+  auto other = from_picture(600, 21);
+  other.line->item_id = "next";
+  auto beside = from_picture(600, 21);
+  beside.line->at.latitude = at(600, 30, 30).latitude;
+  for (const auto& from : {other, beside}) {
+    const auto plan = build_plans(line_with_pictures(), copter, from)->front();
+    EXPECT_NEAR(plan.items[4].y / 1e7, at(100, 0, 30).longitude, 1e-6);
+    EXPECT_FALSE(plan.map.items.front().continues_line);
+    EXPECT_EQ(plan.map.items.front().pictures, 33U);
+  }
+}
+
 TEST(command_planner, a_trigger_that_is_off_stays_off_and_outputs_are_never_repeated_unasked) {
   EXPECT_EQ(commands_of(line_with_pictures(), copter, {7, 0}), (commands{22, 178, 205, 16, 183, 16, 20}));
   EXPECT_EQ(commands_of(line_with_pictures(), copter, {9, 0}), (commands{22, 178, 205, 16, 20})) << "no servo";

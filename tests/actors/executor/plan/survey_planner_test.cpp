@@ -111,6 +111,33 @@ TEST(survey_planner, the_rest_of_a_survey_begins_at_its_line_with_the_camera_off
   EXPECT_EQ(lines_done_at(rest.surveys.at(0), rest.surveys.at(0).first_line_sequence), 1U);
 }
 
+TEST(survey_planner, the_rest_of_a_survey_goes_on_with_its_line_where_the_last_picture_was_taken) {
+  auto camera = each_10_m;
+  camera.turnaround_m = 25;
+  const auto whole = plan_of(survey_with(camera), px4_copter);
+  const auto place = [](const flight_plan& plan, std::size_t i) {
+    return geo::point{plan.items[i].x * 1e-7, plan.items[i].y * 1e-7};
+  };
+  const auto from = place(whole, 8); // the second line
+  const auto bearing = geo::bearing_deg(from, place(whole, 10));
+  const auto picture = geo::destination(from, bearing, 70);
+  auto setting = px4_copter;
+  setting.is_under_way = true;
+  setting.start = at(200, 50, 50);
+  plan_from rest_from{1, 1};
+  rest_from.line = progress::begun_line{"field", {picture.latitude_deg, picture.longitude_deg}, {.taken = 30}};
+  const auto rest = plan_of(survey_with(camera), setting, rest_from);
+  auto first = commands_of(rest);
+  ASSERT_GE(first.size(), 6U);
+  first.resize(6);
+  ASSERT_EQ(first, (commands{16, 16, 206, 16, 206, 16}));
+  EXPECT_NEAR(geo::distance_m(place(rest, 0), geo::destination(from, bearing, 45)), 0, 0.2) << "straight to it";
+  EXPECT_NEAR(geo::distance_m(place(rest, 1), picture), 0, 0.2);
+  EXPECT_NEAR(geo::distance_m(place(rest, 3), place(whole, 10)), 0, 0.2);
+  EXPECT_EQ(rest.map.items[0].pictures, 30U + 15 + 22);
+  EXPECT_TRUE(rest.map.items[0].continues_line);
+}
+
 TEST(survey_planner, the_way_home_from_a_line_begins_with_the_end_of_its_pictures) {
   auto setting = ardupilot_copter;
   setting.is_under_way = true;

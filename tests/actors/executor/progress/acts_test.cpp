@@ -331,6 +331,29 @@ TEST_F(lines, a_line_on_which_nobody_reports_pictures_waits_for_none) {
   EXPECT_EQ(d.said(), texts{"reached A#0 g1"});
 }
 
+// As an operator sends the vehicle away and back.
+TEST_F(lines, a_rest_of_a_line_counts_on_where_the_line_was_left) {
+  fly_to_line(7);
+  for (int i = 2; i <= 4; ++i)
+    d.take(picture_told{.index = i, .at = mission::vertex{47, 8.0 + i}});
+  ASSERT_TRUE(d.s.mission->line);
+  EXPECT_EQ(d.s.mission->line->item_id, "B");
+  EXPECT_EQ(d.s.mission->line->at.longitude, 12);
+  fly(map_of(d.vehicle, {"away"}, 1, false));
+  d.take(picture_told{5});
+  EXPECT_EQ(d.s.mission->line->pictures.taken, 4U) << "not of the line";
+  d.crash();
+  auto rest = map_of(d.vehicle, {"B", "C"}, 1);
+  rest.items[0].pictures = 4 + 4;
+  rest.items[0].continues_line = true;
+  fly(rest);
+  for (int i = 6; i <= 9; ++i)
+    d.take(picture_told{i});
+  d.reached(0);
+  EXPECT_EQ(d.said(), (texts{"reached B#1 g3 pictures 8 of 8: 1 to 9"}));
+  EXPECT_FALSE(d.s.mission->line) << "it is done";
+}
+
 TEST_F(lines, a_picture_that_is_reported_twice_counts_once) {
   fly_to_line(2);
   d.take(picture_told{2});

@@ -26,6 +26,21 @@ bool is_speed(const mission_item_int& item) {
   return item.command == io::mavlink::number(io::mavlink::mav_cmd::do_change_speed);
 }
 
+// So long at most a condition holds the commands after it back.
+double held_back_by(const mission_item_int& item) {
+  using io::mavlink::mav_cmd;
+  constexpr double until_next_place_s = 86'400;
+  switch (static_cast<mav_cmd>(item.command)) {
+  case mav_cmd::condition_delay:
+    return std::clamp(static_cast<double>(item.param1), 0.0, until_next_place_s);
+  case mav_cmd::condition_distance:
+  case mav_cmd::condition_yaw:
+    return until_next_place_s;
+  default:
+    return 0;
+  }
+}
+
 // Speeds after the last movement: nothing is flown with them. What came verbatim stays.
 void drop_idle_commands(flight_plan& plan) {
   while (!plan.items.empty() && is_speed(plan.items.back())) {
@@ -90,8 +105,11 @@ void plan_writer::append(const mission_item_int& item) {
   ++owner.sequence_count;
   if (owner.role != progress::item_role::unflown && trigger_m_ == 0 && !is_triggering_)
     owner.act = progress::act_of(item, is_ardupilot(setting_));
+  held_back_s_ += held_back_by(item);
+  owner.act_late_s = owner.act == progress::act_kind::none ? 0 : static_cast<std::uint32_t>(std::ceil(held_back_s_));
   if (!is_nav(item) || owner.role == progress::item_role::unflown)
     return;
+  held_back_s_ = 0;
   owner.last_nav_sequence = sequence;
   owner.ends_with_picture = false;
   if (!owner.first_nav_sequence)

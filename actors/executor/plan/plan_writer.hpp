@@ -100,6 +100,7 @@ private:
   std::size_t navs_ = 0;
   bool is_branch_ = false;
   double trigger_m_ = 0;               // of a camera that triggers by distance; 0: it does not
+  double held_back_s_ = 0;             // by conditions, at most: the commands up to the next place
   std::uint32_t pictures_at_once_ = 0; // taken where it was switched on, since the last way
   bool is_triggering_ = false;         // it triggers by time
   bool skips_leg_ = false;             // its next place is not flown to from here

@@ -223,6 +223,17 @@ bool awaits_outcome(const followed_plan& plan) {
   return false;
 }
 
+std::int64_t outcomes_late_ns(const followed_plan& plan) {
+  constexpr std::int64_t ns_per_s = 1'000'000'000;
+  std::int64_t latest_ns = 0;
+  for (auto i = plan.generation.resolved; i < plan.map.items.size(); ++i)
+    if (awaits_outcome(plan, i))
+      latest_ns = std::max(latest_ns, plan.map.items[i].act_late_s * ns_per_s);
+    else if (plan.map.items[i].last_nav_sequence > plan.generation.current)
+      break;
+  return outcome_late_ns + latest_ns;
+}
+
 bool awaits_last_picture(const followed_plan& plan) {
   const auto here = under_way(plan);
   if (!here)

@@ -13,8 +13,9 @@
 // later one was. A trigger by distance takes its first one where it is switched on and, asked for that, the last one
 // where it is switched off: vehicle and camera report this in any order, and both count on the line. Items are resolved
 // in the order of the mission, so an act that may be reported holds up those after it, or the end of the plan, for
-// outcome_late_ns; so does the last picture of a line on which others were reported. Thread: one at a time. Source:
-// seen of ArduCopter 4.7.0-dev and PX4 1.18.0-beta1; param3 of DO_SET_CAM_TRIGG_DIST in both.
+// outcome_late_ns; so does the last picture of a line on which others were reported. An act after a condition is
+// awaited until that may have come true, at most until the next place: what has not run by then is dropped. Thread: one
+// at a time. Source: seen of ArduCopter 4.7.0-dev and PX4 1.18.0-beta1; param3 of DO_SET_CAM_TRIGG_DIST in both.
 #pragma once
 
 #include <cstdint>
@@ -41,6 +42,9 @@ void adopt_early_picture(decision_context& t);
 [[nodiscard]] bool awaits_outcome(const followed_plan& plan);
 // So is the item at POSITION.
 [[nodiscard]] bool awaits_outcome(const followed_plan& plan, std::uint32_t position);
+
+// So long after the vehicle has gone on the acts that are awaited may be reported.
+[[nodiscard]] std::int64_t outcomes_late_ns(const followed_plan& plan);
 
 // The last picture of the line that ends where the vehicle is may still come.
 [[nodiscard]] bool awaits_last_picture(const followed_plan& plan);

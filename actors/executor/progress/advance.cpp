@@ -292,7 +292,8 @@ void note_complete(decision_context& t, std::uint16_t sequence) {
 bool has_waited(const decision_context& t) {
   const auto& plan = *t.s.plan;
   const bool may_be_confirmed = awaits_outcome(plan) || awaits_last_outcome(plan) || awaits_last_picture(plan);
-  return is_over(plan.generation.waiting_since_ns, t.now_ns, may_be_confirmed ? outcome_late_ns : reached_late_ns);
+  return is_over(plan.generation.waiting_since_ns, t.now_ns,
+                 may_be_confirmed ? outcomes_late_ns(plan) : reached_late_ns);
 }
 
 void go_on_if_known(decision_context& t) {

@@ -50,6 +50,7 @@ struct mapped_item {
   std::optional<std::uint16_t> last_nav_sequence;
   item_role role = item_role::flown;
   act_kind act = act_kind::none;
+  std::uint32_t act_late_s = 0; // so long a condition before it may hold the act back, not beyond the next place
   // That a trigger by distance takes on the way to it, those at both ends of a line included; on so many lines.
   std::uint32_t pictures = 0;
   std::uint16_t lines = 0;
@@ -57,7 +58,8 @@ struct mapped_item {
   bool continues_line = false;    // the first of them were taken by a plan before
 
   GODWIT_FIELDS(mapped_item, "executor.progress_mapped_item", item_id, item_index, first_sequence, sequence_count,
-                first_nav_sequence, last_nav_sequence, role, act, pictures, lines, ends_with_picture, continues_line);
+                first_nav_sequence, last_nav_sequence, role, act, act_late_s, pictures, lines, ends_with_picture,
+                continues_line);
   friend bool operator==(const mapped_item&, const mapped_item&) = default;
 };
 

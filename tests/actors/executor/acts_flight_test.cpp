@@ -100,6 +100,29 @@ TEST(acts_flight, the_pictures_at_both_ends_of_a_line_are_counted_as_its_own) {
   }
 }
 
+// Four seconds after the place, or ten metres before the next one: on the way in both cases.
+TEST(acts_flight, a_release_that_a_condition_holds_back_is_confirmed) {
+  using io::mavlink::mav_cmd;
+  const auto who = personality::ardupilot;
+  for (const auto& condition :
+       {act("when", mav_cmd::condition_delay, 4, 0, 0), act("when", mav_cmd::condition_distance, 10, 0, 0)}) {
+    flight_world world({.who = who, .has_payload = true});
+    auto mission = photographing(who);
+    mission.items = {mission.items.front(),
+                     tests::place(who, "yard", 20, 0),
+                     condition,
+                     act("drop", mav_cmd::do_gripper, 1, 0, 0),
+                     tests::place(who, "on", 20, 60),
+                     mission.items.back()};
+    world.load(mission);
+    ASSERT_TRUE(world.run_until([&] { return world.durable().status.now == phase::done; }, 300)) << world.story();
+    const auto* drop = report_of(world, "drop");
+    ASSERT_NE(drop, nullptr) << world.story();
+    EXPECT_EQ(drop->outcome, act_outcome::confirmed) << world.story();
+    EXPECT_EQ(world.reports().back().kind, progress_kind::complete) << world.story();
+  }
+}
+
 // The plan ends with it, in the air.
 TEST(acts_flight, a_release_after_the_last_place_is_confirmed) {
   const auto who = personality::ardupilot;

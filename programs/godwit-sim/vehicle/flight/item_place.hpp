@@ -42,6 +42,7 @@ constexpr auto nav_payload_place = io::mavlink::number(io::mavlink::mav_cmd::nav
 constexpr auto nav_delay = io::mavlink::number(io::mavlink::mav_cmd::nav_delay);
 constexpr auto last_nav_command = io::mavlink::number(io::mavlink::mav_cmd::nav_last);
 constexpr auto condition_delay = io::mavlink::number(io::mavlink::mav_cmd::condition_delay);
+constexpr auto condition_distance = io::mavlink::number(io::mavlink::mav_cmd::condition_distance);
 constexpr auto do_gripper = io::mavlink::number(io::mavlink::mav_cmd::do_gripper);
 constexpr auto do_set_cam_trigg_dist = io::mavlink::number(io::mavlink::mav_cmd::do_set_cam_trigg_dist);
 constexpr auto image_start_capture = io::mavlink::number(io::mavlink::mav_cmd::image_start_capture);

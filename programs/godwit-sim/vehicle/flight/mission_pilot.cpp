@@ -19,7 +19,7 @@ void mission_pilot::step(mover& vehicle, position& home, double step_s, happenin
   seen_starts_ = run_.starts();
   if (run_.changes() != seen_changes_) {
     commands_.clear();
-    commands_wait_s_ = 0;
+    commands_wait_s_ = commands_wait_m_ = 0;
     trigger_m_ = keeps_trigger_ ? trigger_m_ : 0;
     begin(vehicle, home, said);
   } else if (is_interrupted_) {
@@ -156,6 +156,8 @@ void mission_pilot::execute_next(const mover& vehicle, position& home, happening
   const auto& command = run_.items()[static_cast<std::size_t>(sequence)];
   if (command.command == condition_delay && command.param1 > 0)
     commands_wait_s_ = static_cast<double>(command.param1);
+  if (command.command == condition_distance && command.param1 > 0)
+    commands_wait_m_ = static_cast<double>(command.param1);
   auto reason = execute_command(command, vehicle.what(), vehicle.where().where, how_fast_, home);
   if (reason)
     return void(said.emplace_back(item_skipped{sequence, *std::move(reason)}));
@@ -164,21 +166,30 @@ void mission_pilot::execute_next(const mover& vehicle, position& home, happening
   execute(command, vehicle.where().where, said);
 }
 
+bool mission_pilot::are_held_back(const mover& vehicle, const position& home) const {
+  if (commands_wait_s_ > 0 || commands_wait_m_ <= 0 || run_.item() == nullptr)
+    return commands_wait_s_ > 0;
+  const auto place = place_of(*run_.item(), home, here_);
+  return place && between(vehicle.where().where, place->at).distance_m > commands_wait_m_;
+}
+
 void mission_pilot::execute_due(const mover& vehicle, position& home, happenings& said) {
-  while (!commands_.empty() && commands_wait_s_ <= 0)
+  while (!commands_.empty() && !are_held_back(vehicle, home)) {
+    commands_wait_m_ = 0;
     execute_next(vehicle, home, said);
+  }
 }
 
 void mission_pilot::execute_all(const mover& vehicle, position& home, happenings& said) {
   while (!commands_.empty())
     execute_next(vehicle, home, said);
-  commands_wait_s_ = 0;
+  commands_wait_s_ = commands_wait_m_ = 0;
 }
 
 void mission_pilot::drop_late(happenings& said) {
   for (const int sequence : std::exchange(commands_, {}))
     said.emplace_back(item_skipped{sequence, "its delay was longer than the item beside it"});
-  commands_wait_s_ = 0;
+  commands_wait_s_ = commands_wait_m_ = 0;
 }
 
 using io::mavlink::mission_item_int;
@@ -242,6 +253,7 @@ std::optional<std::string> execute_command(const mission_item_int& command, cons
   case do_jump:
   case do_land_start:
   case condition_delay:
+  case condition_distance:
     return std::nullopt;
   default:
     break;

@@ -10,7 +10,8 @@
 //   [item_skipped ...]              commands that their CONDITION_DELAY has held back until now
 //   item_begun of the next | mission_completed
 //
-// The commands after an item begin when it is reached, and a delay among them runs on the way to the next. Thread: one
+// The commands after an item begin when it is reached, and what a delay or a distance among them holds back runs on the
+// way to the next. Thread: one
 // at a time. Source: seen of ArduCopter 4.7.0-dev and PX4 1.18.0-beta1.
 #pragma once
 
@@ -94,6 +95,7 @@ private:
   void execute_due(const mover& vehicle, position& home, happenings& said);
   void execute_all(const mover& vehicle, position& home, happenings& said);
   void drop_late(happenings& said);
+  [[nodiscard]] bool are_held_back(const mover& vehicle, const position& home) const;
   void queue_commands();
   void execute(const io::mavlink::mission_item_int& command, const position& here, happenings& said);
   void move_load(double step_s, happenings& said);
@@ -112,6 +114,7 @@ private:
   // than the plan has, for each jump in a row.
   std::deque<int> commands_;
   double commands_wait_s_ = 0;
+  double commands_wait_m_ = 0; // until the place to which it flies is as near; 0: not
   bool is_interrupted_ = false;
   std::uint64_t seen_changes_ = 0;
   std::uint64_t seen_starts_ = 0;

@@ -335,6 +335,25 @@ TEST(command_planner, a_rest_sets_again_what_the_vehicle_has_lost_and_flies_a_li
   EXPECT_EQ(plan.notes.size(), 3U);
 }
 
+TEST(command_planner, an_act_is_awaited_as_long_as_the_conditions_before_it_may_hold_it_back) {
+  const auto late_s = [](std::vector<command_item> conditions) {
+    std::vector<mission::item> items{up, waypoint("w", at(500, 0, 30))};
+    items.insert(items.end(), conditions.begin(), conditions.end());
+    items.insert(items.end(), {act("drop", 211, 1), waypoint("x", at(500, 500, 30)), act("grab", 211, 1, 1),
+                               waypoint("y", at(0, 500, 30)), home_again});
+    const auto plans = build_plans(mission_of(std::move(items)), copter);
+    std::vector<std::uint32_t> result;
+    for (const auto& each : plans->front().map.items)
+      if (each.act != progress::act_kind::none)
+        result.push_back(each.act_late_s);
+    return result;
+  };
+  EXPECT_EQ(late_s({}), (std::vector<std::uint32_t>{0, 0}));
+  EXPECT_EQ(late_s({act("a", 112, 4.5), act("b", 112, 3)}), (std::vector<std::uint32_t>{8, 0}));
+  EXPECT_EQ(late_s({act("a", 114, 20)}), (std::vector<std::uint32_t>{86'400, 0}));
+  EXPECT_EQ(late_s({act("a", 115, 90)}), (std::vector<std::uint32_t>{86'400, 0}));
+}
+
 plan_from from_picture(double east_m, std::uint32_t taken) {
   const auto place = at(east_m, 3, 30);
   plan_from from{5, 0};

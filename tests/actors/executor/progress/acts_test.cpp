@@ -79,6 +79,60 @@ TEST_F(acts, a_release_survives_a_crash_before_it_is_reported) {
   EXPECT_EQ(d.said(), (texts{"passed drop#1 g1 confirmed", "started C#2 g1"}));
 }
 
+struct held_back : acts {
+  // A, a condition, the release, C.
+  void fly_on(std::uint32_t late_s) {
+    auto map = map_of(d.vehicle, {"A", "when", "drop", "C"});
+    make_act(map, 1, act_kind::none);
+    make_act(map, 2, act_kind::release);
+    map.items[2].act_late_s = late_s;
+    fly(map);
+    d.reached(0);
+    d.current(3);
+    d.said();
+  }
+};
+
+TEST_F(held_back, a_release_after_a_condition_is_confirmed_when_it_comes) {
+  fly_on(20);
+  for (int i = 0; i < 15; ++i) {
+    d.wait_s(1);
+    d.current(3);
+  }
+  EXPECT_EQ(d.said(), texts{});
+  d.take(*act_in("Gripper load released"));
+  EXPECT_EQ(d.said(), (texts{"passed when#1 g1 inferred", "passed drop#2 g1 confirmed", "started C#3 g1"}));
+}
+
+TEST_F(held_back, a_release_after_a_delay_is_not_awaited_longer_than_that) {
+  fly_on(20);
+  d.wait_s(21);
+  d.current(3);
+  EXPECT_EQ(d.said(), texts{});
+  d.wait_s(1);
+  d.current(3);
+  EXPECT_EQ(d.said(), (texts{"passed when#1 g1 inferred", "passed drop#2 g1 inferred", "started C#3 g1"}));
+}
+
+TEST_F(held_back, a_release_whose_condition_never_came_true_is_passed_at_the_next_place) {
+  fly_on(86'400);
+  d.wait_s(600);
+  d.current(3);
+  d.reached(3);
+  EXPECT_EQ(d.said(),
+            (texts{"passed when#1 g1 inferred", "passed drop#2 g1 inferred", "reached C#3 g1", "complete g1"}));
+  d.take(*act_in("Gripper load released"));
+  EXPECT_EQ(d.said(), texts{});
+}
+
+TEST_F(held_back, a_release_after_a_condition_is_awaited_over_a_crash) {
+  fly_on(20);
+  d.crash();
+  d.wait_s(10);
+  d.take(*act_in("Gripper load released"));
+  EXPECT_EQ(d.said(), (texts{"passed when#1 g1 inferred", "passed drop#2 g1 confirmed", "started C#3 g1"}));
+}
+
 struct last_act : acts {
   void fly_to_last_release() {
     auto map = map_of(d.vehicle, {"A", "drop"});

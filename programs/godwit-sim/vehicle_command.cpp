@@ -127,7 +127,7 @@ exit_code run(const vehicle_arguments& given) {
 
 void add_vehicle_options(CLI::App& app, vehicle_arguments& given) {
   app.add_option("--personality", given.personality,
-                 "The autopilot that it behaves as: rover, px4, ardupilot, plane or ardurover")
+                 "The autopilot that it behaves as: rover, px4, ardupilot, plane, ardurover, quadplane or px4_vtol")
       ->type_name("NAME")
       ->required();
   app.add_option("--link", given.links,

@@ -31,7 +31,8 @@ tl::expected<position, std::string> read_home(const std::string& text) {
 tl::expected<personality, std::string> read_personality(const std::string& text) {
   if (const auto who = io::value_of<personality>(text))
     return *who;
-  return tl::make_unexpected(in_quotes(text) + " is no personality: rover, px4, ardupilot, plane or ardurover");
+  return tl::make_unexpected(in_quotes(text) +
+                             " is no personality: rover, px4, ardupilot, plane, ardurover, quadplane or px4_vtol");
 }
 
 tl::expected<std::vector<io::link::uri>, std::string> read_links(const std::vector<std::string>& texts) {

@@ -16,11 +16,14 @@ namespace godwit::drill {
   case sim::personality::rover:
     return sim::rover_modes();
   case sim::personality::px4:
+  case sim::personality::px4_vtol:
     return sim::px4_modes();
   case sim::personality::ardupilot:
     return sim::copter_modes();
   case sim::personality::plane:
     return sim::plane_modes();
+  case sim::personality::quadplane:
+    return sim::quadplane_modes();
   case sim::personality::ardurover:
     return sim::ardurover_modes();
   }
@@ -34,7 +37,7 @@ namespace godwit::drill {
 
 // In which it stays where it is: also what a pilot takes for that.
 [[nodiscard]] inline std::uint32_t hold_mode(sim::personality who) {
-  constexpr std::array modes{4U, 0x0304'0000U, 5U, 12U, 4U}; // by personality
+  constexpr std::array modes{4U, 0x0304'0000U, 5U, 12U, 4U, 12U, 0x0304'0000U}; // by personality
   return modes.at(static_cast<std::size_t>(who));
 }
 
@@ -44,7 +47,7 @@ namespace godwit::drill {
 }
 
 [[nodiscard]] inline std::uint32_t mission_mode(sim::personality who) {
-  constexpr std::array modes{10U, 0x0404'0000U, 3U, 10U, 10U}; // by personality
+  constexpr std::array modes{10U, 0x0404'0000U, 3U, 10U, 10U, 10U, 0x0404'0000U}; // by personality
   return modes.at(static_cast<std::size_t>(who));
 }
 

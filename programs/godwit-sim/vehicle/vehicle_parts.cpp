@@ -23,10 +23,13 @@ std::unique_ptr<autopilot> make_autopilot(const vehicle_settings& settings, cons
   case personality::rover:
     return std::make_unique<rover>(with, settings.arms_on_start);
   case personality::px4:
-    return std::make_unique<px4>(with, settings.holds_when_landed, settings.has_sticks);
+  case personality::px4_vtol:
+    return std::make_unique<px4>(with, settings.holds_when_landed || settings.who == personality::px4_vtol,
+                                 settings.has_sticks);
   case personality::ardupilot:
     return std::make_unique<copter>(with);
   case personality::plane:
+  case personality::quadplane:
     return std::make_unique<plane>(with, settings.rtl_autoland != 0);
   case personality::ardurover:
     return std::make_unique<ardu_rover>(with);

@@ -22,7 +22,7 @@ std::string_view name_of(std::uint16_t command) {
     mav_cmd command;
     std::string_view name;
   };
-  static constexpr std::array<row, 14> rows{{
+  static constexpr std::array<row, 17> rows{{
       {mav_cmd::nav_waypoint, "WP"},
       {mav_cmd::nav_spline_waypoint, "SplineWP"},
       {mav_cmd::nav_loiter_unlim, "LoitUnlim"},
@@ -31,6 +31,9 @@ std::string_view name_of(std::uint16_t command) {
       {mav_cmd::nav_return_to_launch, "RTL"},
       {mav_cmd::nav_land, "Land"},
       {mav_cmd::nav_takeoff, "Takeoff"},
+      {mav_cmd::nav_vtol_takeoff, "VTOLTakeoff"},
+      {mav_cmd::nav_vtol_land, "VTOLLand"},
+      {mav_cmd::do_vtol_transition, "VTOLTransition"},
       {mav_cmd::nav_delay, "Delay"},
       {mav_cmd::do_jump, "Jump"},
       {mav_cmd::do_change_speed, "ChangeSpeed"},

@@ -50,7 +50,7 @@ constexpr std::array<flight_mode, 9> copter_table{{
 constexpr std::uint8_t plane_manual = 1 | 64;
 constexpr std::uint8_t plane_assisted = 1 | 16 | 64;
 constexpr std::uint8_t plane_guided = 1 | 8 | 16;
-constexpr std::array<flight_mode, 15> plane_table{{
+constexpr std::array<flight_mode, 18> quadplane_table{{
     {"MANUAL", 0, plane_manual, mode_kind::manual, false},
     {"STABILIZE", 2, plane_assisted, mode_kind::manual, false},
     {"TRAINING", 3, plane_assisted, mode_kind::manual, false},
@@ -66,7 +66,11 @@ constexpr std::array<flight_mode, 15> plane_table{{
     {"TAKEOFF", 13, plane_guided, mode_kind::take_off, true},
     {"GUIDED", 15, plane_guided, mode_kind::guided, true},
     {"THERMAL", 24, plane_guided, mode_kind::hold, true},
+    {"QSTABILIZE", 17, plane_assisted, mode_kind::manual, false},
+    {"QHOVER", 18, plane_assisted, mode_kind::manual, false},
+    {"QLAND", 20, plane_guided, mode_kind::land, false},
 }};
+constexpr std::size_t rotor_modes = 3; // the last ones
 
 // MANUAL with a pilot's sticks, HOLD and AUTO as recorded: 65, 1 and 9, and 128 where it is armed.
 constexpr std::uint8_t ardurover_auto = 1 | 8;
@@ -91,7 +95,8 @@ const flight_mode* first_of(mode_table modes, mode_kind kind) {
 mode_table rover_modes() { return rover_table; }
 mode_table px4_modes() { return px4_table; }
 mode_table copter_modes() { return copter_table; }
-mode_table plane_modes() { return plane_table; }
+mode_table plane_modes() { return mode_table(quadplane_table).first(quadplane_table.size() - rotor_modes); }
+mode_table quadplane_modes() { return quadplane_table; }
 mode_table ardurover_modes() { return ardurover_table; }
 
 const flight_mode* find_mode(mode_table modes, std::uint32_t custom) {

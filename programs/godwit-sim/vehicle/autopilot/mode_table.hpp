@@ -34,6 +34,7 @@ using mode_table = std::span<const flight_mode>;
 [[nodiscard]] mode_table px4_modes();
 [[nodiscard]] mode_table copter_modes();
 [[nodiscard]] mode_table plane_modes();
+[[nodiscard]] mode_table quadplane_modes();
 [[nodiscard]] mode_table ardurover_modes();
 
 // PX4's number for a main and a sub mode.

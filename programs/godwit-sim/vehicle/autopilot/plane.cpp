@@ -102,12 +102,14 @@ void plane::on_item_begun(int sequence) {
 }
 
 void plane::on_landed() {
-  const bool lands_by_plan = state().is_in(mode_kind::mission) && phase() == mission_phase::running &&
-                             command_of(run().current()) == mavlink::number(mav_cmd::nav_land);
+  const bool is_in_plan = state().is_in(mode_kind::mission) && phase() == mission_phase::running;
+  const auto command = is_in_plan ? command_of(run().current()) : std::uint16_t{0};
   if (state().is_battery_empty)
     disarm();
-  else if (lands_by_plan)
+  else if (command == mavlink::number(mav_cmd::nav_land))
     disarms_ns_ = now().world_ns + disarms_after_ns;
+  else if (command == mavlink::number(mav_cmd::nav_vtol_land) || state().is_in(mode_kind::land))
+    disarms_ns_ = now().world_ns + disarms_on_rotors_after_ns;
 }
 
 void plane::on_completed() {

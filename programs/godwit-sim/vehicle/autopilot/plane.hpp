@@ -1,4 +1,4 @@
-// ArduPilot's Plane, without vertical motors.
+// ArduPilot's Plane.
 //
 // It arms in every mode but those that come home, in AUTO and TAKEOFF too, and takes off at once there. A landing item
 // never ends: the plane stands on it, disarms itself some time later and stays in AUTO, without a word that the mission
@@ -6,8 +6,11 @@
 // home for ever. Disarming in another mode than AUTO puts the mission back to its beginning. It has no mode for
 // landing; DO_LAND_START leads to the landing of its plan. Its RTL_AUTOLAND lets it arm with such a plan (3), and
 // leaves RTL without a landing; by default (0) its own checks fail while it holds such a plan, which it says each 30 s.
-// A pilot of the manual modes circles where he took it over. Thread: one at a time. Source: ArduPlane 4.7
-// (commands_logic.cpp, mode_auto.cpp, AP_Arming_Plane.cpp, GCS_MAVLink_Plane.cpp), as remembered.
+// A pilot of the manual modes circles where he took it over. One with rotors (a quadplane) takes off and lands on them
+// in its mission, flies on its wings in between unless the mission says otherwise, disarms itself 1.5 s after such a
+// landing, and lands on them in QLAND; its other modes are those of its wings. Thread: one at a time. Source:
+// recordings of a quadplane, ArduPlane 4.7 (commands_logic.cpp, mode_auto.cpp, AP_Arming_Plane.cpp,
+// GCS_MAVLink_Plane.cpp), as remembered.
 #pragma once
 
 #include <algorithm>
@@ -26,6 +29,7 @@ public:
   void on_change(const plans::plan_change& what) override;
 
   static constexpr std::int64_t disarms_after_ns = 20 * ns_per_s; // LAND_DISARMDELAY
+  static constexpr std::int64_t disarms_on_rotors_after_ns = 1'500'000'000;
   static constexpr std::int64_t says_checks_each_ns = 30 * ns_per_s;
 
 protected:

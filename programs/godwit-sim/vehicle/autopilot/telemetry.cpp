@@ -94,7 +94,8 @@ bool telemetry::send(std::uint32_t id, std::int64_t world_ns) {
     out_.send(home(up_ns));
     return true;
   case mavlink::extended_sys_state::message_id:
-    out_.send(mavlink::extended_sys_state{.landed_state = mavlink::number(landed_state())});
+    out_.send(mavlink::extended_sys_state{.vtol_state = craft_.vtol_state(),
+                                          .landed_state = mavlink::number(landed_state())});
     return true;
   case mavlink::ekf_status_report::message_id:
     out_.send(mavlink::ekf_status_report{.flags = estimator_flags()});

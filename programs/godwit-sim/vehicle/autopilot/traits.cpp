@@ -132,6 +132,25 @@ traits plane_traits() {
   return t;
 }
 
+traits quadplane_traits() {
+  auto t = plane_traits();
+  t.body = vtol_craft();
+  t.body.takes_off_to_place = false;
+  t.modes = quadplane_modes();
+  t.plan_profile.profile = mission::vehicle_profile::quadplane;
+  return t;
+}
+
+traits px4_vtol_traits() {
+  auto t = px4_traits();
+  t.type = mavlink::mav_type::vtol_fixedrotor;
+  t.body = vtol_craft();
+  t.body.lands_on_return = true;
+  t.body.spool_up_s = 1.8;
+  t.plan_profile.profile = mission::vehicle_profile::px4_vtol;
+  return t;
+}
+
 traits ardurover_traits() {
   auto t = ardupilot_traits();
   t.type = mavlink::mav_type::ground_rover;
@@ -153,6 +172,8 @@ const traits& traits_of(personality who) {
   static const traits copter = copter_traits();
   static const traits plane = plane_traits();
   static const traits ardurover = ardurover_traits();
+  static const traits quadplane = quadplane_traits();
+  static const traits px4_vtol = px4_vtol_traits();
   switch (who) {
   case personality::rover:
     return rover;
@@ -164,6 +185,10 @@ const traits& traits_of(personality who) {
     return plane;
   case personality::ardurover:
     return ardurover;
+  case personality::quadplane:
+    return quadplane;
+  case personality::px4_vtol:
+    return px4_vtol;
   }
   GODWIT_ASSERT(false, "each personality has its traits");
 }

@@ -22,6 +22,13 @@ craft fixed_wing_craft() {
           .return_altitude_m = 60};
 }
 
+craft vtol_craft() {
+  auto result = fixed_wing_craft();
+  result.climb_mps = result.descent_mps = 2.5;
+  result.has_rotors = true;
+  return result;
+}
+
 pace own_pace(const craft& of) { return {of.speed_mps, of.climb_mps, of.descent_mps}; }
 
 } // namespace godwit::sim

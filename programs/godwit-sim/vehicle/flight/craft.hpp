@@ -21,6 +21,12 @@ struct craft {
   double takeoff_altitude_m = 10; // above home, where a take-off item has none
   double return_altitude_m = 15;  // above home
   double spool_up_s = 0;          // multirotor: told to climb it stands for so long, while its rotors get faster
+  // Of a fixed wing that has rotors as well, a VTOL: it takes off, hovers and lands on those.
+  bool has_rotors = false;
+  double hover_speed_mps = 5;
+  double hover_radius_m = 2;      // of arrival
+  bool takes_off_to_place = true; // a take-off item leads to its place, too
+  bool lands_on_return = false;   // on its rotors; else it circles over home
   // 50 steps a second: at 20 m/s less than half a metre each.
   static constexpr std::int64_t step_ns = 20'000'000;
 };
@@ -28,6 +34,7 @@ struct craft {
 [[nodiscard]] craft rover_craft();
 [[nodiscard]] craft multirotor_craft();
 [[nodiscard]] craft fixed_wing_craft();
+[[nodiscard]] craft vtol_craft();
 
 // How fast it goes: the craft's own speeds, or what a mission has changed them to.
 struct pace {

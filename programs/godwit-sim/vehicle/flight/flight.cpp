@@ -21,6 +21,8 @@ void flight::begin_task() {
     legs = legs_to({go->to, mover_.what().arrival_radius_m, true, go->speed_mps}, mover_);
   else if (const auto* climb = std::get_if<task::climb>(&task_); climb != nullptr && !mover_.is_rover())
     legs = {climb_leg{std::max(climb->altitude_m, mover_.ground_m() + min_flight_height_m)}};
+  else if (std::holds_alternative<task::land>(task_) && mover_.is_vtol())
+    legs = {change_leg{true}, land_leg{}};
   else if (std::holds_alternative<task::land>(task_))
     legs = {land_leg{}};
   else if (std::holds_alternative<task::come_back>(task_))

@@ -82,6 +82,7 @@ public:
   void set_rally_points(std::vector<position> places) { mover_.set_rally_points(std::move(places)); }
   [[nodiscard]] double altitude_above_home_m() const { return where().where.altitude_m - home_.altitude_m; }
   [[nodiscard]] bool is_in_air() const { return mover_.is_in_air(); } // never for a rover
+  [[nodiscard]] std::uint8_t vtol_state() const { return mover_.vtol_state(); }
   [[nodiscard]] bool is_moving() const { return where().ground_speed_mps > 0.1 || where().climb_mps != 0; }
   // The time of the next step while it moves or waits; a vehicle at rest needs none, and the answer is never_ns.
   [[nodiscard]] std::int64_t next_step_ns() const;

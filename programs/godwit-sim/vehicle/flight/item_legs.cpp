@@ -15,13 +15,26 @@ namespace {
 
 // Landings aim better than waypoints.
 constexpr double landing_radius_m = 0.5;
+// A VTOL that comes to its landing on its wings changes to its rotors there.
+constexpr double vtol_brakes_m = 90;
+
+// A VTOL stands still in the air while it is, or is wanted to be, on its rotors; what flies else, by its kind.
+bool will_be_wing(const item_setting& setting) {
+  const auto& vehicle = setting.vehicle;
+  return vehicle.is_vtol() ? !setting.hovers : vehicle.is_fixed_wing();
+}
+
+double arrival_radius_m(const item_setting& setting) {
+  const auto& craft = setting.vehicle.what();
+  return craft.has_rotors && setting.hovers ? craft.hover_radius_m : craft.arrival_radius_m;
+}
 
 // NaN and what is negative mean none.
 double seconds(float value) { return std::isfinite(value) && value > 0 ? static_cast<double>(value) : 0; }
 
 double turning_s(const mission_item_int& item, const item_setting& setting) {
   constexpr double default_radius_m = 20;
-  const double own_m = setting.vehicle.is_fixed_wing() ? setting.vehicle.what().loiter_radius_m : default_radius_m;
+  const double own_m = will_be_wing(setting) ? setting.vehicle.what().loiter_radius_m : default_radius_m;
   const double radius_m = std::isfinite(item.param3) && item.param3 != 0 ? std::abs(item.param3) : own_m;
   return seconds(item.param1) * 2 * std::numbers::pi * radius_m / setting.how_fast.speed_mps;
 }
@@ -51,14 +64,15 @@ go_leg leg_to(const mission_item_int& item, const item_place& place, const item_
   const bool is_waypoint = item.command == nav_waypoint || item.command == nav_spline_waypoint;
   const double radius_m = is_waypoint ? seconds(item.param2) : 0;
   const bool stops = !is_waypoint || seconds(item.param1) > 0 || !setting.goes_on;
-  go_leg leg{place.at, radius_m > 0 ? radius_m : setting.vehicle.what().arrival_radius_m, stops};
+  go_leg leg{place.at, radius_m > 0 ? radius_m : arrival_radius_m(setting), stops};
   leg.circle_m = circle_m(item, setting.vehicle);
-  if (is_loiter(item) && setting.vehicle.is_fixed_wing())
+  if (is_loiter(item) && will_be_wing(setting))
     leg.radius_m = wing_is_there_m(leg.circle_m, setting.vehicle);
   return leg;
 }
 
-leg_list takeoff_legs(const item_place& place, const item_setting& setting) {
+// IS_ON_WINGS: of a VTOL.
+leg_list takeoff_legs(const item_place& place, const item_setting& setting, bool is_on_wings) {
   const auto& craft = setting.vehicle.what();
   auto top = place.at;
   const bool has_altitude = place.has_own_altitude && place.at.altitude_m != setting.home.altitude_m;
@@ -68,9 +82,16 @@ leg_list takeoff_legs(const item_place& place, const item_setting& setting) {
   const double floor_m = setting.vehicle.is_in_air() ? setting.vehicle.where().where.altitude_m
                                                      : setting.vehicle.ground_m() + min_flight_height_m;
   top.altitude_m = std::max(top.altitude_m, floor_m);
-  leg_list legs{climb_leg{top.altitude_m}};
-  if (!place.is_here && !setting.vehicle.is_fixed_wing()) // which takes off along its runway
-    legs.emplace_back(go_leg{top, craft.arrival_radius_m, true});
+  leg_list legs;
+  const bool is_on_runway = is_on_wings || setting.vehicle.is_fixed_wing();
+  if (is_on_wings)
+    legs.emplace_back(change_leg{false});
+  legs.emplace_back(climb_leg{top.altitude_m});
+  if (place.is_here || is_on_runway || !craft.takes_off_to_place)
+    return legs;
+  if (setting.vehicle.is_vtol())
+    legs.emplace_back(change_leg{false});
+  legs.emplace_back(go_leg{top, craft.arrival_radius_m, !setting.vehicle.is_vtol()});
   return legs;
 }
 
@@ -81,6 +102,29 @@ leg_list to_altitude_legs(const mission_item_int& item, const item_place& place,
   first.to.altitude_m = setting.vehicle.where().where.altitude_m;
   auto legs = legs_to(first, setting.vehicle);
   legs.emplace_back(climb_leg{top_m});
+  return legs;
+}
+
+// At the height ABOVE; a VTOL.
+leg_list down_on_rotors(const position& above, const mover& vehicle) {
+  leg_list legs;
+  if (vehicle.is_fixed_wing())
+    legs = {go_leg{above, vtol_brakes_m, false}, change_leg{true}};
+  legs.emplace_back(go_leg{above, landing_radius_m, true});
+  legs.emplace_back(land_leg{});
+  return legs;
+}
+
+leg_list vtol_landing_legs(const item_place& place, const item_setting& setting) {
+  if (!setting.vehicle.is_in_air())
+    return {stay_leg{}};
+  if (place.is_here)
+    return {change_leg{true}, land_leg{}};
+  auto above = place.at;
+  above.altitude_m = setting.here.altitude_m;
+  auto legs = down_on_rotors(above, setting.vehicle);
+  if (!setting.vehicle.what().lands_on_return) // a quadplane: a landing item of a plane never ends
+    legs.emplace_back(stay_leg{});
   return legs;
 }
 
@@ -127,8 +171,14 @@ leg_list legs_home(const position& first_home, const mover& vehicle) {
   if (!vehicle.is_in_air())
     return {};
   auto above = home;
-  if (vehicle.is_fixed_wing()) {
+  if (vehicle.is_vtol() && vehicle.what().lands_on_return) {
+    above.altitude_m = std::max(vehicle.where().where.altitude_m, home.altitude_m + vehicle.what().return_altitude_m);
+    return down_on_rotors(above, vehicle);
+  }
+  if (vehicle.is_fixed_wing() || vehicle.is_vtol()) {
     above.altitude_m += vehicle.what().return_altitude_m;
+    if (vehicle.is_multirotor())
+      return {change_leg{false}, go_leg{above, wing_is_there_m(0, vehicle), true}, stay_leg{}};
     return {go_leg{above, wing_is_there_m(0, vehicle), true}, stay_leg{}};
   }
   above.altitude_m = std::max(vehicle.where().where.altitude_m, home.altitude_m + vehicle.what().return_altitude_m);
@@ -156,11 +206,17 @@ tl::expected<leg_list, std::string> legs_of(const mission_item_int& item, const 
       return tl::unexpected(std::string("a rover does not climb"));
     return to_altitude_legs(item, *place, setting);
   case nav_vtol_takeoff:
-  case nav_takeoff:
+  case nav_takeoff: {
     if (setting.vehicle.is_rover())
       return tl::unexpected(std::string("a rover does not take off"));
-    return takeoff_legs(*place, setting);
+    const auto& craft = setting.vehicle.what();
+    const bool is_quadplane = craft.has_rotors && !craft.takes_off_to_place;
+    return takeoff_legs(*place, setting, is_quadplane && item.command == nav_takeoff);
+  }
   case nav_vtol_land:
+    if (setting.vehicle.is_vtol())
+      return vtol_landing_legs(*place, setting);
+    return landing_legs(*place, setting);
   case nav_land:
     return landing_legs(*place, setting);
   case nav_waypoint:
@@ -178,7 +234,7 @@ tl::expected<leg_list, std::string> legs_of(const mission_item_int& item, const 
     legs.emplace_back(stay_leg{});
   else if (item.command == nav_loiter_turns)
     legs.emplace_back(wait_leg{turning_s(item, setting)});
-  else if (seconds(item.param1) > 0 && (is_loiter(item) || !setting.vehicle.is_fixed_wing()))
+  else if (seconds(item.param1) > 0 && (is_loiter(item) || !will_be_wing(setting)))
     legs.emplace_back(wait_leg{seconds(item.param1)});
   return legs;
 }

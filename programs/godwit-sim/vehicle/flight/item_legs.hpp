@@ -10,12 +10,16 @@
 // | delay | wait | circles | wait |
 // | loiter to altitude | there, then up or down | the same, circling | skipped |
 // | VTOL take-off and landing | as take-off and landing | the same | the same |
+// | ... of a VTOL | up on its rotors; 90 m before the place to its rotors, there, down | | |
 // | continue and change altitude | skipped | straight on and up | skipped |
 // | payload place | there, and on | the same | the same |
 //
 // A multirotor on the ground takes off first, to the altitude of the item; a fixed wing stays on the ground. Thread:
-// pure. Source: MAV_CMD of MAVLink's common.xml; ArduPlane's verify_land and do_loiter_time, which takes its own radius
-// for all circles but those of loiter turns.
+// A VTOL is in between what its mission wants it to be and what it is: it changes before it goes to the place. A
+// take-off is on its rotors but for a quadplane's NAV_TAKEOFF. Thread: pure. Source: recordings of PX4's standard VTOL
+// (1.18) and a quadplane (ArduPlane 4.7), which changed 93 m before the place of its landing; MAV_CMD of MAVLink's
+// common.xml; ArduPlane's verify_land and do_loiter_time, which takes its own radius for all circles but those of
+// loiter turns.
 #pragma once
 
 #include <string>
@@ -34,6 +38,7 @@ struct item_setting {
   position here; // where the item began: what `here` means for it, also when it goes on after a pause
   pace how_fast;
   bool goes_on = true; // another item follows at once: it need not stop
+  bool hovers = false; // a VTOL: its mission wants it on its rotors
 };
 
 // The error says why the vehicle does not fly it.

@@ -46,6 +46,7 @@ constexpr auto condition_distance = io::mavlink::number(io::mavlink::mav_cmd::co
 constexpr auto do_gripper = io::mavlink::number(io::mavlink::mav_cmd::do_gripper);
 constexpr auto do_set_cam_trigg_dist = io::mavlink::number(io::mavlink::mav_cmd::do_set_cam_trigg_dist);
 constexpr auto image_start_capture = io::mavlink::number(io::mavlink::mav_cmd::image_start_capture);
+constexpr auto do_vtol_transition = io::mavlink::number(io::mavlink::mav_cmd::do_vtol_transition);
 constexpr auto do_jump = io::mavlink::number(io::mavlink::mav_cmd::do_jump);
 constexpr auto do_change_speed = io::mavlink::number(io::mavlink::mav_cmd::do_change_speed);
 constexpr auto do_set_home = io::mavlink::number(io::mavlink::mav_cmd::do_set_home);

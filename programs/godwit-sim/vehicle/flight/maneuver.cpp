@@ -69,23 +69,25 @@ void maneuver::step(mover& vehicle, const pace& how_fast, double step_s) {
   if (is_done())
     return keep(vehicle, how_fast, step_s);
   enter_leg(vehicle);
-  const bool done = std::visit(each_of{[&](const climb_leg& how) { return climb(how, vehicle, how_fast, step_s); },
-                                       [&](const go_leg& how) { return go(how, vehicle, how_fast, step_s); },
-                                       [&](const land_leg&) {
-                                         vehicle.land(how_fast, step_s);
-                                         return !vehicle.is_in_air();
-                                       },
-                                       [&](const touch_down_leg&) { return touch_down(vehicle, how_fast, step_s); },
-                                       [&](wait_leg& how) {
-                                         keep(vehicle, how_fast, step_s);
-                                         how.left_s -= step_s;
-                                         return how.left_s <= 0;
-                                       },
-                                       [&](const stay_leg&) {
-                                         keep(vehicle, how_fast, step_s);
-                                         return false;
-                                       }},
-                               legs_[index_]);
+  const bool done =
+      std::visit(each_of{[&](const climb_leg& how) { return climb(how, vehicle, how_fast, step_s); },
+                         [&](const go_leg& how) { return go(how, vehicle, how_fast, step_s); },
+                         [&](const land_leg&) {
+                           vehicle.land(how_fast, step_s);
+                           return !vehicle.is_in_air();
+                         },
+                         [&](const touch_down_leg&) { return touch_down(vehicle, how_fast, step_s); },
+                         [&](const change_leg& how) { return vehicle.change_to(how.to_rotors, how_fast, step_s); },
+                         [&](wait_leg& how) {
+                           keep(vehicle, how_fast, step_s);
+                           how.left_s -= step_s;
+                           return how.left_s <= 0;
+                         },
+                         [&](const stay_leg&) {
+                           keep(vehicle, how_fast, step_s);
+                           return false;
+                         }},
+                 legs_[index_]);
   if (!done)
     return;
   ++index_;

@@ -26,12 +26,15 @@ struct land_leg {};     // straight down to the ground; a fixed wing straight on
 struct touch_down_leg { // fixed wing: down a straight path to this place on the ground
   position to;
 };
+struct change_leg { // a VTOL: to its rotors, or to its wings
+  bool to_rotors = false;
+};
 struct wait_leg { // standing, at a hover or on circles
   double left_s = 0;
 };
 struct stay_leg {}; // the same, with no end
 
-using leg = std::variant<climb_leg, go_leg, land_leg, touch_down_leg, wait_leg, stay_leg>;
+using leg = std::variant<climb_leg, go_leg, land_leg, touch_down_leg, change_leg, wait_leg, stay_leg>;
 using leg_list = std::vector<leg>;
 
 // Nobody flies lower than this above the ground but to land: an altitude of 0 is no landing.

@@ -76,6 +76,11 @@ void mission_pilot::execute(const io::mavlink::mission_item_int& command, const 
     is_released_ = command.param2 == 0;
     break;
   }
+  case do_vtol_transition: {
+    constexpr float to_rotors = 3; // MAV_VTOL_STATE_MC
+    hovers_ = command.param1 == to_rotors;
+    break;
+  }
   default:
     break;
   }
@@ -141,11 +146,18 @@ void mission_pilot::queue_commands() {
 }
 
 bool mission_pilot::plan(const mover& vehicle, const position& home, happenings& said) {
-  auto legs = legs_of(*run_.item(), {vehicle, home, here_, how_fast_, run_.goes_on()});
+  const auto command = run_.item()->command;
+  const bool takes_off = command == nav_takeoff || command == nav_vtol_takeoff;
+  if (takes_off)
+    hovers_ = false; // from there on
+  auto legs = legs_of(*run_.item(), {vehicle, home, here_, how_fast_, run_.goes_on(), hovers_});
   if (!legs) {
     said.emplace_back(item_skipped{run_.current(), std::move(legs).error()});
     return false;
   }
+  const bool changes = vehicle.is_vtol() && vehicle.is_in_air() && vehicle.is_multirotor() != hovers_;
+  if (changes && !takes_off && command != nav_vtol_land)
+    legs->insert(legs->begin(), change_leg{hovers_});
   maneuver_.begin(*std::move(legs));
   return true;
 }
@@ -251,6 +263,10 @@ std::optional<std::string> execute_command(const mission_item_int& command, cons
     return std::nullopt;
   }
   case do_jump:
+  case do_vtol_transition:
+    if (!what.has_rotors)
+      break;
+    [[fallthrough]];
   case do_land_start:
   case condition_delay:
   case condition_distance:

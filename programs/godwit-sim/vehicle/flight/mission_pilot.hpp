@@ -115,6 +115,7 @@ private:
   std::deque<int> commands_;
   double commands_wait_s_ = 0;
   double commands_wait_m_ = 0; // until the place to which it flies is as near; 0: not
+  bool hovers_ = true;         // a VTOL: its mission wants it on its rotors
   bool is_interrupted_ = false;
   std::uint64_t seen_changes_ = 0;
   std::uint64_t seen_starts_ = 0;

@@ -21,7 +21,8 @@ fixed_wing_limits wings(const craft& of) { return {of.acceleration_mps2, of.min_
 
 } // namespace
 
-mover::mover(const craft& what, const position& where) : craft_(what), ground_m_(where.altitude_m) {
+mover::mover(const craft& what, const position& where)
+    : craft_(what), ground_m_(where.altitude_m), is_on_rotors_(what.has_rotors) {
   body_.where = where;
 }
 
@@ -42,14 +43,16 @@ void mover::rest(double step_s) {
     glide(body_, wings(craft_), step_s);
   else if (is_in_air_)
     fall(body_, step_s);
-  else if (is_fixed_wing())
+  else if (is_fixed_wing() && !is_vtol())
     roll(body_, wings(craft_), 0, step_s);
   else
     drop();
+  is_on_rotors_ = is_on_rotors_ || (is_vtol() && !is_in_air_);
   meet_ground();
 }
 
 void mover::hold(double step_s) {
+  is_changing_ = false;
   if (is_rover())
     return brake(body_, wheels(craft_), step_s);
   if (is_in_air_ && is_fixed_wing()) {
@@ -68,6 +71,7 @@ void mover::hold(double step_s) {
 }
 
 void mover::go(const heading_for& place, const pace& how_fast, double step_s) {
+  is_changing_ = false;
   if (is_blocked_ && !(is_fixed_wing() && is_in_air_))
     return hold(step_s);
   if (is_rover())
@@ -80,9 +84,44 @@ void mover::go(const heading_for& place, const pace& how_fast, double step_s) {
     spun_up_s_ += step_s;
     return hold(step_s);
   }
+  const double speed_mps = is_vtol() ? std::min(how_fast.speed_mps, craft_.hover_speed_mps) : how_fast.speed_mps;
   fly(body_, rotors(craft_),
-      {place.way, place.altitude_m, how_fast.speed_mps, how_fast.climb_mps, how_fast.descent_mps, place.stops}, step_s);
+      {place.way, place.altitude_m, speed_mps, how_fast.climb_mps, how_fast.descent_mps, place.stops}, step_s);
   meet_ground();
+}
+
+bool mover::change_to(bool wanted_rotors, const pace& how_fast, double step_s) {
+  constexpr double far_m = 10'000;
+  const double carried_mps = lift_off_margin * craft_.min_speed_mps;
+  if (wanted_rotors) {
+    was_on_wings_ = !is_on_rotors_ || (is_changing_ && was_on_wings_);
+    is_on_rotors_ = true;
+    if (is_in_air_)
+      hover(body_, rotors(craft_), step_s);
+    is_changing_ = body_.ground_speed_mps > craft_.hover_speed_mps;
+  } else if (is_on_rotors_ && is_in_air_ && body_.ground_speed_mps < carried_mps) {
+    is_changing_ = true;
+    was_on_wings_ = false;
+    fly(body_, rotors(craft_),
+        {{body_.heading_deg, far_m},
+         body_.where.altitude_m,
+         craft_.speed_mps,
+         how_fast.climb_mps,
+         how_fast.descent_mps,
+         false},
+        step_s);
+  } else {
+    is_on_rotors_ = is_changing_ = false;
+  }
+  return !is_changing_;
+}
+
+std::uint8_t mover::vtol_state() const {
+  if (!is_vtol())
+    return 0;
+  if (is_changing_)
+    return was_on_wings_ ? 2 : 1;
+  return is_on_rotors_ ? 3 : 4;
 }
 
 void mover::fly_wing(const circle_course& where_to, double altitude_m, const pace& how_fast, double step_s) {
@@ -135,6 +174,7 @@ void mover::drop() {
   if (!is_rover())
     body_.where.altitude_m = ground_m_;
   is_in_air_ = false;
+  is_changing_ = false;
   circled_.reset();
 }
 

@@ -35,6 +35,8 @@ public:
   // A fixed wing in the air: to the place at the end of COURSE, on a straight path to the ground of this slope.
   void approach(const course& way, double slope, const pace& how_fast, double step_s);
   void land(const pace& how_fast, double step_s);
+  // A VTOL: on to its wings (then it speeds up straight on) or to its rotors (then it slows down). True: it is done.
+  [[nodiscard]] bool change_to(bool rotors, const pace& how_fast, double step_s);
   // Everything stops at once, on the ground.
   void drop();
   // Something holds it where it is, whatever its motors do; not a fixed wing in the air.
@@ -47,8 +49,12 @@ public:
   [[nodiscard]] const body& where() const { return body_; }
   [[nodiscard]] double ground_m() const { return ground_m_; } // above mean sea level
   [[nodiscard]] bool is_rover() const { return craft_.kind == craft_kind::rover; }
-  [[nodiscard]] bool is_multirotor() const { return craft_.kind == craft_kind::multirotor; }
-  [[nodiscard]] bool is_fixed_wing() const { return craft_.kind == craft_kind::fixed_wing; }
+  [[nodiscard]] bool is_vtol() const { return craft_.has_rotors; }
+  // As it flies now.
+  [[nodiscard]] bool is_multirotor() const { return craft_.kind == craft_kind::multirotor || is_on_rotors_; }
+  [[nodiscard]] bool is_fixed_wing() const { return craft_.kind == craft_kind::fixed_wing && !is_on_rotors_; }
+  // MAV_VTOL_STATE: 0 no VTOL, 1 and 2 on the way to its wings and to its rotors, 3 on its rotors, 4 on its wings.
+  [[nodiscard]] std::uint8_t vtol_state() const;
   [[nodiscard]] bool is_in_air() const { return is_in_air_; }
   [[nodiscard]] bool is_still() const; // neither moves nor leans
   // A fixed wing is as low as where it holds off before it touches the ground.
@@ -64,6 +70,9 @@ private:
   bool is_in_air_ = false;
   bool is_blocked_ = false;
   std::vector<position> rally_points_;
+  bool is_on_rotors_;
+  bool is_changing_ = false; // to its wings on its rotors, or just from its wings
+  bool was_on_wings_ = false;
   double spun_up_s_ = 0;       // since its motors run, while it was told to climb
   std::optional<way> circled_; // by a fixed wing that holds
 };

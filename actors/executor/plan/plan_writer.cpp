@@ -117,7 +117,7 @@ void plan_writer::append(const mission_item_int& item) {
   ++navs_;
 }
 
-// AT_ONCE: a picture is taken where the vehicle is. With the trigger off that is the last one of the line behind it.
+// AT_ONCE: a picture is taken where the vehicle is. With the trigger off that is the last one of the line before it.
 void plan_writer::trigger_by_distance(double distance_m, bool at_once) {
   const bool was_on = std::exchange(trigger_m_, distance_m) > 0;
   if (distance_m > 0)

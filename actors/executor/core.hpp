@@ -55,6 +55,7 @@
 #include "actors/executor/flight/watches/energy_control.hpp"
 #include "actors/executor/flight/watches/ground_watch.hpp"
 #include "actors/executor/flight/watches/last_line.hpp"
+#include "actors/executor/flight/watches/lost_state.hpp"
 #include "actors/executor/flight/watches/plan_watch.hpp"
 #include "actors/executor/flight/watches/standstill_watch.hpp"
 #include "actors/executor/flight/watches/traffic_watch.hpp"
@@ -260,6 +261,7 @@ private:
   flight_end end_{flight_, phases_, tasks_, watch_};
   return_place return_place_{flight_, tasks_};
   plan_watch plan_{flight_};
+  lost_state lost_state_{flight_};
   plan_clearing clearing_{flight_, phases_};
   last_line last_line_{flight_, clearing_};
   gcs_view stations_{flight_, phases_, tasks_, watch_, clearing_};

@@ -62,6 +62,7 @@ effects core::advance(instant now) {
   parts_.give_up_late(out, now);
   arming_.look(out, now);
   acts_.look(out, now);
+  lost_state_.look(out, now);
   clearing_.look(out, recovery_.has_looked(), now);
   if (stations_.look(out, now))
     return out;

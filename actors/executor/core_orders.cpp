@@ -139,6 +139,7 @@ effects core::on_command(std::uint64_t number, const vehicle_link::command_outco
   const auto& doing = flight_.runner.doing();
   const bool is_hold_accepted = flight_.runner.awaits(number) && doing->kind == task_kind::hold &&
                                 outcome.verdict == vehicle_link::command_verdict::accepted;
+  lost_state_.on_command(out, number, outcome);
   flight_.runner.on_command(flight_.world(now, out), number, outcome);
   if (is_hold_accepted)
     acts_.on_hold_accepted(out);

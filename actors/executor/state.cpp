@@ -330,6 +330,8 @@ durable_effects take(state& s, const phase_status& happened, std::int64_t) {
   }
   if (s.status.in_flight != happened.in_flight)
     supervision::change_in_flight(s.supervision, happened.in_flight);
+  s.owes_state =
+      happened.in_flight && (s.owes_state || (s.status.now == phase::paused && happened.now == phase::flying));
   s.status = happened;
   if (has_landed && s.station) // from here on the next start would mean what the vehicle has
     s.station->ids.clear();
@@ -352,6 +354,11 @@ durable_effects take(state& s, const supervision::failsafe_missed& happened, std
 
 durable_effects take(state& s, const home_kept& happened, std::int64_t) {
   s.home = happened.where;
+  return {};
+}
+
+durable_effects take(state& s, const state_set_again&, std::int64_t) {
+  s.owes_state = false;
   return {};
 }
 

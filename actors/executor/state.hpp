@@ -16,7 +16,7 @@
 //   start_resolved                 start_answer to who asked
 //   station_took_over             none
 //   supervision::failsafe_missed  none
-//   home_kept, home_commanded, person_acted: none
+//   home_kept, home_commanded, person_acted, state_set_again: none
 //
 // A cut-over is one event: with the upload accepted the mission of the new plan is the mission. Thread: plain values.
 #pragma once
@@ -310,6 +310,11 @@ struct person_acted {
   static constexpr auto fields = io::table("executor.person_acted");
 };
 
+// What the vehicle had forgotten over a pause it has again, as far as it took it.
+struct state_set_again {
+  static constexpr auto fields = io::table("executor.state_set_again");
+};
+
 // Its plan was cleared.
 struct station_plan_dropped {
   static constexpr auto fields = io::table("executor.station_plan_dropped");
@@ -381,6 +386,7 @@ struct state {
   // Somebody has acted on the vehicle since its plan was brought, or the mission before was called off: a person starts
   // it, also where flights that take off again start by themselves.
   bool awaits_person = false;
+  bool owes_state = false;         // it flies on after a pause, and gets again what the plan had set (lost_state.hpp)
   std::optional<kept_home> home;   // of this mission
   bool has_commanded_home = false; // and has not freed it
   preflight::state preflight;
@@ -389,23 +395,23 @@ struct state {
   std::string deleted_mission; // the last one of which the service has said so
 
   static constexpr int version = 1;
-  static constexpr auto fields =
-      io::table("executor.state", io::field("mission", &state::mission), io::field("arrived", &state::arrived),
-                io::field("waiting", &state::waiting), io::field("assigned", &state::assigned),
-                io::field("last_assignment", &state::last_assignment),
-                io::field("cut_off_uploads", &state::cut_off_uploads), io::field("commanded", &state::commanded),
-                io::field("change", &state::change), io::field("flown_changes", &state::flown_changes),
-                io::field("is_arrived_ours", &state::is_arrived_ours), io::field("set_aside", &state::set_aside),
-                io::field("station", &state::station), io::field("station_fences", &state::station_fences),
-                io::field("station_breach_return_point", &state::station_breach_return_point),
-                io::field("station_rally", &state::station_rally), io::field("last_line", &state::last_line),
-                io::field("brings", &state::brings), io::field("flown", &state::flown),
-                io::field("doing", &state::doing), io::field("last_task", &state::last_task),
-                io::field("standing", &state::status), io::field("person", &state::person),
-                io::field("awaits_word", &state::awaits_word), io::field("awaits_person", &state::awaits_person),
-                io::field("home", &state::home), io::field("has_commanded_home", &state::has_commanded_home),
-                io::field("preflight", &state::preflight), io::field("progress", &state::progress),
-                io::field("supervision", &state::supervision), io::field("deleted_mission", &state::deleted_mission));
+  static constexpr auto fields = io::table(
+      "executor.state", io::field("mission", &state::mission), io::field("arrived", &state::arrived),
+      io::field("waiting", &state::waiting), io::field("assigned", &state::assigned),
+      io::field("last_assignment", &state::last_assignment), io::field("cut_off_uploads", &state::cut_off_uploads),
+      io::field("commanded", &state::commanded), io::field("change", &state::change),
+      io::field("flown_changes", &state::flown_changes), io::field("is_arrived_ours", &state::is_arrived_ours),
+      io::field("set_aside", &state::set_aside), io::field("station", &state::station),
+      io::field("station_fences", &state::station_fences),
+      io::field("station_breach_return_point", &state::station_breach_return_point),
+      io::field("station_rally", &state::station_rally), io::field("last_line", &state::last_line),
+      io::field("brings", &state::brings), io::field("flown", &state::flown), io::field("doing", &state::doing),
+      io::field("last_task", &state::last_task), io::field("standing", &state::status),
+      io::field("person", &state::person), io::field("awaits_word", &state::awaits_word),
+      io::field("awaits_person", &state::awaits_person), io::field("owes_state", &state::owes_state),
+      io::field("home", &state::home), io::field("has_commanded_home", &state::has_commanded_home),
+      io::field("preflight", &state::preflight), io::field("progress", &state::progress),
+      io::field("supervision", &state::supervision), io::field("deleted_mission", &state::deleted_mission));
 };
 
 // From the decision to start on.
@@ -416,17 +422,19 @@ struct state {
 // The durable core: keeps what was decided, and lets the progress decide.
 struct durable_core {
   using state = executor::state;
-  using event = std::variant<
-      progress::mission_opened, progress::upload_intended, progress::start_intended, progress::earlier_reports_told,
-      progress::mission_aborted, progress::upload_ended, progress::vehicle_looked_at, progress::plan_read_back,
-      progress::found_begun, progress::start_ended, progress::current_told, progress::reached_told, progress::act_told,
-      progress::picture_told, progress::came_down, progress::other_plan_found, progress::vehicle_rebooted,
-      preflight::checks_wanted, preflight::looked, preflight::acknowledged, preflight::mission_changed,
-      preflight::took_off, preflight::flight_ended, preflight::restarted, mission_arrived, mission_taken,
-      arrival_refused, deletion_told, change_commanded, change_asked, change_flown, change_stopped, change_answered,
-      change_resolved, assignment_kept, assignment_rejected, station_plan_taken, station_fence_taken,
-      station_rally_taken, last_line_brought, station_plan_dropped, task_begun, task_ended, phase_status,
-      station_took_over, start_resolved, supervision::failsafe_missed, home_kept, home_commanded, person_acted>;
+  using event =
+      std::variant<progress::mission_opened, progress::upload_intended, progress::start_intended,
+                   progress::earlier_reports_told, progress::mission_aborted, progress::upload_ended,
+                   progress::vehicle_looked_at, progress::plan_read_back, progress::found_begun, progress::start_ended,
+                   progress::current_told, progress::reached_told, progress::act_told, progress::picture_told,
+                   progress::came_down, progress::other_plan_found, progress::vehicle_rebooted,
+                   preflight::checks_wanted, preflight::looked, preflight::acknowledged, preflight::mission_changed,
+                   preflight::took_off, preflight::flight_ended, preflight::restarted, mission_arrived, mission_taken,
+                   arrival_refused, deletion_told, change_commanded, change_asked, change_flown, change_stopped,
+                   change_answered, change_resolved, assignment_kept, assignment_rejected, station_plan_taken,
+                   station_fence_taken, station_rally_taken, last_line_brought, station_plan_dropped, task_begun,
+                   task_ended, phase_status, station_took_over, start_resolved, supervision::failsafe_missed, home_kept,
+                   home_commanded, person_acted, state_set_again>;
   using effect = std::variant<mission_client::report_progress, mission_client::respond_to_assignment,
                               mission_client::insert_waypoint, mission_client::replace_tail, progress::look_at_vehicle,
                               progress::read_plan_back, progress::resolve_start, progress::progress_event,

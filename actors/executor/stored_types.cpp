@@ -18,6 +18,7 @@ GODWIT_DEFINE_MESSAGE(godwit::executor::deletion_told);
 GODWIT_DEFINE_MESSAGE(godwit::executor::mission_arrived);
 GODWIT_DEFINE_MESSAGE(godwit::executor::mission_taken);
 GODWIT_DEFINE_MESSAGE(godwit::executor::person_acted);
+GODWIT_DEFINE_MESSAGE(godwit::executor::state_set_again);
 GODWIT_DEFINE_MESSAGE(godwit::executor::start_resolved);
 GODWIT_DEFINE_MESSAGE(godwit::executor::state);
 GODWIT_DEFINE_MESSAGE(godwit::executor::station_fence_taken);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "actors/domain/mission/commands/item_class.hpp"
 #include "io/mavlink/frame_meaning.hpp"
@@ -193,6 +194,20 @@ std::optional<mission_item_int> camera_to_stop(std::span<const mission_item_int>
       found->command = number(mav_cmd::image_stop_capture);
   }
   return found;
+}
+
+std::vector<mission_item_int> state_at(std::span<const mission_item_int> items, std::size_t sequence) {
+  using mission::command_state;
+  std::map<command_state, mission_item_int> last;
+  for (const auto& each : items.first(std::min(sequence, items.size())))
+    if (const auto* const row = mission::command_of(each.command); row != nullptr)
+      last[row->state] = each;
+  std::vector<mission_item_int> result;
+  for (const auto kind : {command_state::speed, command_state::roi, command_state::gimbal})
+    if (const auto found = last.find(kind);
+        found != last.end() && found->second.command != number(mav_cmd::do_set_roi_none))
+      result.push_back(found->second);
+  return result;
 }
 
 // A plane flies past a waypoint and does not wait for NAV_DELAY; an ArduPilot flies on while a CONDITION_DELAY runs.

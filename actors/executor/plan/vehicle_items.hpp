@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "actors/executor/plan/setting.hpp"
 #include "io/mavlink/enums.hpp"
@@ -67,6 +68,9 @@ struct trigger_change {
 // none.
 [[nodiscard]] std::optional<mission_item_int> camera_to_stop(std::span<const mission_item_int> items,
                                                              std::size_t sequence);
+
+// The speed, region of interest and gimbal that ITEMS have set before SEQUENCE, each as it was set last.
+[[nodiscard]] std::vector<mission_item_int> state_at(std::span<const mission_item_int> items, std::size_t sequence);
 
 // It moves the vehicle, or holds it in its place for a time.
 // So many seconds the vehicle stays for it, as far as it says so.

@@ -22,6 +22,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -69,7 +70,8 @@ struct vehicle_picture {
   int fence_count = 0;          // items
   int rally_count = 0;
   double battery_percent = 0;
-  bool has_position = true;  // GPS
+  bool has_position = true; // GPS
+  std::optional<position> region_of_interest;
   std::int64_t world_ms = 0; // since the autopilot's start
 };
 

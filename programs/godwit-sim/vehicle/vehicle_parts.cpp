@@ -293,6 +293,7 @@ vehicle_picture vehicle::parts::describe() const {
           .rally_count = static_cast<int>(plans_.plan(mavlink::mav_mission_type::rally).items.size()),
           .battery_percent = power_.percent(),
           .has_position = state_.has_position,
+          .region_of_interest = craft_.region_of_interest(),
           .world_ms = state_.up_ns(now_.world_ns) / ns_per_ms};
 }
 

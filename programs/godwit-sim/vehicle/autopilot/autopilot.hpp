@@ -222,6 +222,7 @@ private:
   answer return_home(const role::order& what);
   answer loiter(const role::order& what);
   answer change_speed(const role::order& what);
+  answer look_at(const role::order& what);
   answer set_home(const role::order& what);
   answer request_message(const role::order& what);
   answer set_message_interval(const role::order& what);

@@ -20,7 +20,7 @@ constexpr float forced_by = 21196; // param2 of COMPONENT_ARM_DISARM: without a 
 
 autopilot::handler autopilot::handler_for(std::uint16_t command) {
   using mavlink::number;
-  static constexpr std::array<row, 20> rows{{
+  static constexpr std::array<row, 23> rows{{
       {number(mav_cmd::nav_loiter_unlim), &autopilot::loiter},
       {number(mav_cmd::nav_return_to_launch), &autopilot::return_home},
       {number(mav_cmd::nav_land), &autopilot::land},
@@ -28,6 +28,9 @@ autopilot::handler autopilot::handler_for(std::uint16_t command) {
       {number(mav_cmd::do_set_mode), &autopilot::set_mode},
       {number(mav_cmd::do_change_speed), &autopilot::change_speed},
       {number(mav_cmd::do_set_home), &autopilot::set_home},
+      {number(mav_cmd::do_set_roi), &autopilot::look_at},
+      {number(mav_cmd::do_set_roi_location), &autopilot::look_at},
+      {number(mav_cmd::do_set_roi_none), &autopilot::look_at},
       {number(mav_cmd::do_land_start), &autopilot::start_landing},
       {number(mav_cmd::do_reposition), &autopilot::reposition},
       {number(mav_cmd::do_pause_continue), &autopilot::pause_or_continue},
@@ -118,6 +121,14 @@ mav_result autopilot::change_speed(const role::order& what) {
   speed_mps_ = what.param2 == own ? 0 : what.param2;
   if (const auto* going = std::get_if<task::go>(&craft().current_task()))
     go_to(position(going->to));
+  else if (flies_mission() && speed_mps_ > 0)
+    with().craft.change_speed(speed_mps_);
+  return mav_result::accepted;
+}
+
+mav_result autopilot::look_at(const role::order& what) {
+  const bool is_none = what.command == number(mav_cmd::do_set_roi_none);
+  with().craft.look_at(is_none ? std::nullopt : std::optional(place_in(what)));
   return mav_result::accepted;
 }
 

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -74,7 +75,10 @@ public:
   [[nodiscard]] const task::any& current_task() const { return task_; }
   [[nodiscard]] mission_run& mission() { return pilot_.run(); }
   [[nodiscard]] const mission_run& mission() const { return pilot_.run(); }
-  void keep_trigger() { pilot_.keep_trigger(); } // as mission_pilot
+  void keep_trigger() { pilot_.keep_trigger(); } // these as mission_pilot
+  void change_speed(double speed_mps) { pilot_.change_speed(speed_mps); }
+  void look_at(const std::optional<position>& where) { pilot_.look_at(where); }
+  [[nodiscard]] const std::optional<position>& region_of_interest() const { return pilot_.region_of_interest(); }
 
   [[nodiscard]] const body& where() const { return mover_.where(); }
   [[nodiscard]] const position& home() const { return home_; }

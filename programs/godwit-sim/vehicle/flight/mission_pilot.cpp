@@ -14,8 +14,10 @@ namespace godwit::sim {
 void mission_pilot::resume() { is_interrupted_ = true; }
 
 void mission_pilot::step(mover& vehicle, position& home, double step_s, happenings& said) {
-  if (run_.starts() != seen_starts_)
+  if (run_.starts() != seen_starts_) {
     how_fast_ = own_pace(vehicle.what());
+    region_.reset();
+  }
   seen_starts_ = run_.starts();
   if (run_.changes() != seen_changes_) {
     commands_.clear();
@@ -175,6 +177,11 @@ void mission_pilot::execute_next(const mover& vehicle, position& home, happening
     return void(said.emplace_back(item_skipped{sequence, *std::move(reason)}));
   if (command.command != do_jump)
     said.emplace_back(command_executed{sequence});
+  if (command.command == do_set_roi_location || command.command == do_set_roi)
+    if (const auto place = place_of(command, home, vehicle.where().where))
+      region_ = place->at;
+  if (command.command == do_set_roi_none)
+    region_.reset();
   execute(command, vehicle.where().where, said);
 }
 

@@ -74,6 +74,11 @@ public:
   // A camera that is triggered by distance goes on in other modes and in other missions (ArduPilot). Else it stops with
   // the mission (PX4).
   void keep_trigger() { keeps_trigger_ = true; }
+  // A command beside the mission: until the mission changes it, or is entered again.
+  void change_speed(double speed_mps) { how_fast_.speed_mps = speed_mps; }
+  // Nothing: none, or forgotten as the mission was entered again (ArduPilot: ModeAuto::init, auto_yaw and AP_Mount).
+  [[nodiscard]] const std::optional<position>& region_of_interest() const { return region_; }
+  void look_at(const std::optional<position>& where) { region_ = where; }
   // Outside of its mission it has moved to HERE.
   void moved_otherwise(const position& here, happenings& said);
 
@@ -105,6 +110,7 @@ private:
   maneuver maneuver_;
   pace how_fast_;
   position here_; // where the current item began
+  std::optional<position> region_;
   bool keeps_trigger_ = false;
   double trigger_m_ = 0; // of the camera; 0: it is off
   position pictured_at_;

@@ -92,6 +92,28 @@ TEST(vehicle_items, what_ends_the_pictures_is_what_has_begun_them) {
   EXPECT_FALSE(camera_to_stop(std::vector{command(16, 0), command(206, 25)}, 1)) << "not there yet";
 }
 
+TEST(vehicle_items, what_the_plan_has_set_before_a_place_is_known_as_it_was_set_last) {
+  const auto of = [](std::uint16_t number, float second) {
+    mission_item_int item;
+    item.command = number;
+    item.param2 = second;
+    return item;
+  };
+  const std::vector items{of(178, 5), of(195, 0), of(16, 0),  of(205, 1), of(178, 7),
+                          of(206, 0), of(16, 1),  of(197, 0), of(178, 9)};
+  const auto at = [&](std::size_t sequence) {
+    std::vector<std::pair<int, float>> result;
+    for (const auto& each : state_at(items, sequence))
+      result.emplace_back(each.command, each.param2);
+    return result;
+  };
+  using found = std::vector<std::pair<int, float>>;
+  EXPECT_EQ(at(0), found());
+  EXPECT_EQ(at(2), (found{{178, 5}, {195, 0}}));
+  EXPECT_EQ(at(6), (found{{178, 7}, {195, 0}, {205, 1}}));
+  EXPECT_EQ(at(99), (found{{178, 9}, {205, 1}})) << "a region of interest that was ended";
+}
+
 TEST(vehicle_items, latitude_and_longitude_0_are_nowhere) {
   EXPECT_TRUE(is_nowhere({0, 0, 20}));
   EXPECT_TRUE(is_nowhere({1e-8, -1e-8, 20})) << "rounded to 1e-7 degrees";

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "actors/domain/flight_mode/flight_modes.hpp"
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/messages.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/mode_table.hpp"
@@ -28,6 +29,29 @@ namespace godwit::drill {
     return sim::ardurover_modes();
   }
   return {};
+}
+
+// Whose modes they are.
+[[nodiscard]] inline flight::mode_owner owner_of(sim::personality who) {
+  using flight::vehicle_class;
+  using io::mavlink::mav_autopilot;
+  switch (who) {
+  case sim::personality::px4:
+    return {mav_autopilot::px4, vehicle_class::multirotor};
+  case sim::personality::px4_vtol:
+    return {mav_autopilot::px4, vehicle_class::fixed_wing};
+  case sim::personality::ardupilot:
+    return {mav_autopilot::ardupilotmega, vehicle_class::multirotor};
+  case sim::personality::plane:
+    return {mav_autopilot::ardupilotmega, vehicle_class::fixed_wing};
+  case sim::personality::quadplane:
+    return {mav_autopilot::ardupilotmega, vehicle_class::fixed_wing};
+  case sim::personality::ardurover:
+    return {mav_autopilot::ardupilotmega, vehicle_class::rover};
+  case sim::personality::rover:
+    break;
+  }
+  return {mav_autopilot::generic, vehicle_class::rover};
 }
 
 // In which a pilot flies, or drives, by hand: PX4's position control, STABILIZE of a copter, MANUAL of the others.

@@ -20,7 +20,6 @@ using namespace godwit::drill;
 using executor::pause_cause;
 using executor::phase;
 using flight::mode_kind;
-using io::mavlink::mav_autopilot;
 using io::mavlink::mav_cmd;
 using io::mavlink::mav_result;
 
@@ -31,23 +30,6 @@ constexpr std::array<std::uint8_t, 8> base_modes{1, 129, 157, 209, 81, 217, 255,
 enum class moment { ready, armed, starting, flying, paused, taken_over, coming_home };
 constexpr std::array moments{moment::ready,  moment::armed,      moment::starting,   moment::flying,
                              moment::paused, moment::taken_over, moment::coming_home};
-
-flight::mode_owner owner_of(sim::personality who) {
-  using flight::vehicle_class;
-  switch (who) {
-  case sim::personality::px4:
-    return {mav_autopilot::px4, vehicle_class::multirotor};
-  case sim::personality::plane:
-    return {mav_autopilot::ardupilotmega, vehicle_class::fixed_wing};
-  case sim::personality::ardupilot:
-    return {mav_autopilot::ardupilotmega, vehicle_class::multirotor};
-  case sim::personality::ardurover:
-    return {mav_autopilot::ardupilotmega, vehicle_class::rover};
-  case sim::personality::rover:
-    break;
-  }
-  return {mav_autopilot::generic, vehicle_class::rover};
-}
 
 // All that godwit has a name for.
 std::vector<std::uint32_t> modes_of(sim::personality who) {

@@ -12,6 +12,7 @@
 #include "io/mavlink/frame.hpp"
 #include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
 #include "programs/godwit-drill/flight_simulation/flight_people.hpp"
+#include "programs/godwit-drill/flight_simulation/vehicle_modes.hpp"
 
 namespace station_people_test {
 
@@ -41,23 +42,7 @@ protected:
     ASSERT_TRUE(command);
     flight.station().command(mav_cmd::do_set_mode, command->param1, command->param2, command->param3);
   }
-  [[nodiscard]] static godwit::flight::mode_owner owner() {
-    using godwit::flight::vehicle_class;
-    using io::mavlink::mav_autopilot;
-    switch (GetParam()) {
-    case sim::personality::px4:
-      return {mav_autopilot::px4, vehicle_class::multirotor};
-    case sim::personality::plane:
-      return {mav_autopilot::ardupilotmega, vehicle_class::fixed_wing};
-    case sim::personality::ardupilot:
-      return {mav_autopilot::ardupilotmega, vehicle_class::multirotor};
-    case sim::personality::ardurover:
-      return {mav_autopilot::ardupilotmega, vehicle_class::rover};
-    case sim::personality::rover:
-      break;
-    }
-    return {mav_autopilot::generic, vehicle_class::rover};
-  }
+  [[nodiscard]] static godwit::flight::mode_owner owner() { return drill::owner_of(GetParam()); }
   testing::AssertionResult arm() {
     if (!flight.run_until_phase(phase::ready, 120))
       return testing::AssertionFailure() << flight.story();

@@ -300,6 +300,19 @@ TEST_P(rule, an_autopilot_that_starts_again_in_flight_is_left_to_people) {
   EXPECT_EQ(world.story().find("pilot has the vehicle"), std::string::npos) << world.story();
 }
 
+// As a kill switch, or a crash, ends it in the mission mode.
+TEST_P(rule, a_flight_that_ends_before_its_plan_is_nobodys_of_godwit_and_waits_for_a_hand_back) {
+  flight_world world({.who = GetParam()});
+  ASSERT_TRUE(fly(world));
+  world.disarm_by_hand();
+  ASSERT_TRUE(world.run_until_phase(phase::paused, 30)) << world.story();
+  const auto commands = world.commands().size();
+  world.run_for(30);
+  EXPECT_EQ(world.commands().size(), commands) << world.story();
+  EXPECT_TRUE(needs_hand_back(world.durable().status.cause)) << world.story();
+  EXPECT_TRUE(world.durable().status.reason.starts_with("the flight ended ")) << world.story();
+}
+
 // -- changes ------------------------------------------------------------------------------------------------
 
 TEST_P(rule, so_many_assignments_wait_and_the_next_is_turned_down) {

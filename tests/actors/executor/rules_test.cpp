@@ -304,7 +304,10 @@ TEST_P(rule, an_autopilot_that_starts_again_in_flight_is_left_to_people) {
 TEST_P(rule, a_flight_that_ends_before_its_plan_is_nobodys_of_godwit_and_waits_for_a_hand_back) {
   flight_world world({.who = GetParam()});
   ASSERT_TRUE(fly(world));
+  world.lose_message(io::mavlink::command_ack::message_id); // by a switch: nobody is heard to command it
   world.disarm_by_hand();
+  world.run_for(2);
+  world.lose_message(0);
   ASSERT_TRUE(world.run_until_phase(phase::paused, 30)) << world.story();
   const auto commands = world.commands().size();
   world.run_for(30);

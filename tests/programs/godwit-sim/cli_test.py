@@ -40,7 +40,7 @@ class Usage(unittest.TestCase):
             self.assert_usage(arguments, "Usage:", "godwit-sim")
 
     def test_values_that_mean_nothing_are_named_with_the_form(self):
-        self.assert_usage(["vehicle", "--personality", "glider"], "glider", "rover, px4, ardupilot, plane or ardurover")
+        self.assert_usage(["vehicle", "--personality", "glider"], "glider", "rover, px4, ardupilot, plane, ardurover, quadplane or px4_vtol")
         for option, value, words in (("--link", "udp:1", ("udp:1", "udpin://HOST:PORT", "tcpin://HOST:PORT")),
                                      ("--home", "here", ("here", "LATITUDE,LONGITUDE,ALTITUDE")),
                                      ("--faults", "loss=2", ("loss=2", "a share from 0 to 1")),

@@ -12,6 +12,8 @@
 #include "programs/godwit-eyes/detection/background_model.hpp"
 #include "programs/godwit-eyes/detection/blobs.hpp"
 #include "programs/godwit-eyes/detection/change.hpp"
+#include "programs/godwit-eyes/detection/class_questions.hpp"
+#include "programs/godwit-eyes/detection/classifier.hpp"
 #include "programs/godwit-eyes/detection/clutter.hpp"
 #include "programs/godwit-eyes/detection/motion_proof.hpp"
 #include "programs/godwit-eyes/detection/own_motion.hpp"
@@ -67,12 +69,17 @@ constexpr double velocity_over_s = 0.7; // of the camera: long enough for positi
 } // namespace
 
 struct detector::parts {
-  explicit parts(const detector_settings& given)
-      : settings(given), tracks({given.frames_to_confirm, static_cast<std::size_t>(given.max_tracks)}) {}
+  parts(const detector_settings& given, const std::shared_ptr<classifier>& asked)
+      : settings(given), tracks({given.frames_to_confirm, static_cast<std::size_t>(given.max_tracks)}) {
+    if (asked)
+      questions.emplace(
+          [asked](const frame_view& picture, const pixel_box& about) { return asked->ask(picture, about); },
+          [] { return static_cast<double>(thread_microseconds()) * 1e-3; });
+  }
 
   void begin_anew();
   [[nodiscard]] verdict look(const frame_view& frame, const std::optional<camera_pose>& pose);
-  [[nodiscard]] unusable find(const cv::Mat& now, verdict& said);
+  [[nodiscard]] unusable find(const frame_view& frame, const cv::Mat& now, verdict& said);
   [[nodiscard]] unusable take_pose(const std::optional<camera_pose>& pose, std::int64_t at_ns);
   [[nodiscard]] Eigen::Vector3d camera_velocity() const;
   void mark_parallax();
@@ -88,6 +95,7 @@ struct detector::parts {
   background_model background;
   clutter_map clutter;
   tracker tracks;
+  std::optional<class_questions> questions;
   cv::Mat last;
   int width = 0;
   int height = 0;
@@ -140,7 +148,7 @@ verdict detector::parts::look(const frame_view& frame, const std::optional<camer
     return said;
   }
   const unusable flaw = take_pose(pose, frame.captured_ns);
-  said.why = find(now, said); // also where the pose is wrong: the next picture needs this one
+  said.why = find(frame, now, said); // also where the pose is wrong: the next picture needs this one
   if (flaw != unusable::none)
     said.why = flaw;
   if (said.why == unusable::none)
@@ -198,7 +206,7 @@ std::optional<still_reach> detector::parts::reach_at(const cv::Point2d& place) c
                      sway_m * still->pixels_a_metre / reduction};
 }
 
-unusable detector::parts::find(const cv::Mat& now, verdict& said) {
+unusable detector::parts::find(const frame_view& frame, const cv::Mat& now, verdict& said) {
   cv::Mat smooth;
   cv::GaussianBlur(now, smooth, cv::Size(3, 3), 0.7);
   // Automatic exposure is a factor, and optical flow takes the ground for equally bright in both pictures.
@@ -266,6 +274,8 @@ unusable detector::parts::find(const cv::Mat& now, verdict& said) {
     };
   tracks.step({background_blobs.blobs, difference.blobs, slow_difference.blobs}, clutter, dt_s, before_to_now,
               now.size(), proves);
+  if (questions)
+    questions->step(tracks.tracks(), frame, reduction, figures.brightness, dt_s);
   mark_parallax();
   figures.tracks = static_cast<int>(tracks.tracks().size());
   figures.coasting =
@@ -287,6 +297,8 @@ std::optional<unsaid_reason> detector::parts::why_unsaid(const track& who, const
     return unsaid_reason::part;
   if (is_parallax(who))
     return unsaid_reason::high;
+  if (who.looks.is_surely_unlike())
+    return unsaid_reason::unlike;
   if (std::max(box.width_px, box.height_px) < settings.min_size_px)
     return unsaid_reason::small;
   return std::nullopt;
@@ -294,7 +306,8 @@ std::optional<unsaid_reason> detector::parts::why_unsaid(const track& who, const
 
 void detector::parts::say(verdict& said) const {
   for (const auto& each : tracks.tracks()) {
-    const cv::Rect2d reduced_box = extent_of(each);
+    const auto recognised = each.looks.extent();
+    const cv::Rect2d reduced_box = recognised ? *recognised + each.filter.place() : extent_of(each);
     const pixel_box box{reduced_box.x * reduction, reduced_box.y * reduction, reduced_box.width * reduction,
                         reduced_box.height * reduction};
     if (const auto why = why_unsaid(each, box)) {
@@ -308,6 +321,7 @@ void detector::parts::say(verdict& said) const {
     made.confidence = static_cast<double>(each.seen) / (each.age + 2);
     made.frames_seen = each.seen;
     made.is_seen_now = each.missed == 0;
+    made.looks_like = each.looks.what();
     if (!sights.empty())
       made.place = ground_point(sights.back(), made.box, settings.max_off_nadir_deg * std::numbers::pi / 180);
     said.confirmed.push_back(made);
@@ -346,7 +360,13 @@ void keep_freed_memory() {
   ::mallopt(M_TRIM_THRESHOLD, kept_free);
 }
 
-detector::detector(const detector_settings& settings) : parts_(std::make_unique<parts>(settings)) {
+frame_view view_of(const io::video::frame& picture, std::int64_t captured_ns) {
+  const auto& [grey, blue, red] = picture.planes;
+  return {grey.pixels, picture.width, picture.height, grey.stride, captured_ns, blue.pixels, red.pixels, blue.stride};
+}
+
+detector::detector(const detector_settings& settings, const std::shared_ptr<classifier>& asked)
+    : parts_(std::make_unique<parts>(settings, asked)) {
   const auto wrong = problem_of(settings);
   GODWIT_ASSERT(!wrong, "settings of a detector that were not checked: " + wrong.value_or(""));
 }

@@ -4,6 +4,9 @@
 // (tracks that were seen in several pictures, so that a flicker is none), or why nothing can be said. Without a pose
 // there are no places on the ground and no prediction of the camera's motion, and all else works.
 //
+// With a net (classifier.hpp) it is asked what the tracks look like: what it recognises is confirmed sooner and has its
+// box, and what it would recognise and does not is left out.
+//
 // How: features tracked on a reduced picture, homography by MAGSAC, a background model, and where that
 // is cluttered the difference against two earlier pictures; blobs, a filter and an association of its own. The parts
 // are files of this folder.
@@ -22,9 +25,13 @@
 #include <string_view>
 #include <vector>
 
+#include "io/eyes/object_class.hpp"
+#include "io/video/frame.hpp"
 #include "programs/godwit-eyes/ground/camera.hpp"
 
 namespace godwit::eyes {
+
+using io::eyes::object_class;
 
 // One byte a pixel, brightness; the pixels stay the caller's and are not kept.
 struct frame_view {
@@ -33,7 +40,13 @@ struct frame_view {
   int height = 0;
   std::size_t stride = 0;       // bytes from one row to the next
   std::int64_t captured_ns = 0; // monotonic, rises from frame to frame
+  // The differences of colour at half its size (I420); null: it has no colours.
+  const std::uint8_t* blue = nullptr;
+  const std::uint8_t* red = nullptr;
+  std::size_t colour_stride = 0;
 };
+
+[[nodiscard]] frame_view view_of(const io::video::frame& picture, std::int64_t captured_ns);
 
 // Of a picture; x to the right, y down, from the upper left corner.
 struct pixel_box {
@@ -62,6 +75,7 @@ struct candidate {
   int frames_seen = 0;
   bool is_seen_now = true;           // false: where it should be by its motion; it was not seen in this picture
   std::optional<ground_place> place; // without a pose, or above the limit off nadir: nothing
+  object_class looks_like = object_class::unknown; // as the net says; unknown without one, too
 };
 
 // Why a picture says nothing about what moves. Each is said as a sentence by `sentence_of`.
@@ -89,10 +103,11 @@ inline constexpr int unusable_count = static_cast<int>(unusable::no_homography) 
 
 // Why a track is not said.
 enum class unsaid_reason {
-  young, // not seen often enough, or it has not gone far and straight enough
-  lost,  // not seen for some pictures
-  part,  // another track follows the same thing, and more of it
-  high,  // it goes as something high and still would when the camera passes it
+  young,  // not seen often enough, or it has not gone far and straight enough
+  lost,   // not seen for some pictures
+  part,   // another track follows the same thing, and more of it
+  unlike, // nothing that the net knows, which would have known it
+  high,   // it goes as something high and still would when the camera passes it
   small
 };
 
@@ -144,9 +159,12 @@ void use_one_thread();
 // pages have to be mapped and cleared anew, which costs as much as some of the work in them. Once in the process.
 void keep_freed_memory();
 
+class classifier;
+
 class detector {
 public:
-  explicit detector(const detector_settings& settings);
+  // ASKED: about what moves; none: nobody is.
+  explicit detector(const detector_settings& settings, const std::shared_ptr<classifier>& asked = {});
   ~detector();
   detector(const detector&) = delete;
   detector& operator=(const detector&) = delete;

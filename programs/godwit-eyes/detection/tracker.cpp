@@ -37,6 +37,7 @@ constexpr demands of_differences{4, 0.75, 0.6, 0.75, 1, 0.5}; // which hold most
 constexpr demands of_clutter{10, 1.0, 0.65, 0.75, 5, 0.8};
 constexpr demands of_proved_calm{2.5, 0.25, 0.5, 0.5, 0.5, 0.15}; // where a proof can be asked for
 constexpr demands of_proved_clutter{3, 0.4, 0.6, 0.6, 2, 0.3};    // where it is
+constexpr demands of_recognised{3, 0.25, 0.4, 0.5, 0.5, 0.2};     // by a classifier, which has the look of it
 constexpr double way_among_clutter = 1; // by size, unless the whole picture is calm: what sways stays within its own
 constexpr double border_px = 2;         // so far in interpolation and differences reach
 constexpr double least_clutter_to_prove = 0.1;
@@ -213,6 +214,12 @@ void tracker::confirm(const clutter_map& clutter, const prover& proves) {
   for (auto& each : tracks_) {
     if (each.is_confirmed || each.missed > 0 || each.seen < settings_.frames_to_confirm)
       continue;
+    if (each.looks.is_unlike())
+      continue;
+    if (each.looks.is_recognised() && shows(each, of_recognised)) {
+      each.is_confirmed = true;
+      continue;
+    }
     const double here = std::max(clutter_around(each, clutter), proves ? everywhere : 0);
     const bool needs_proof = proves && here > least_clutter_to_prove;
     demands need = proves                   ? between(of_proved_calm, of_proved_clutter, here)

@@ -7,8 +7,9 @@
 // seen for long enough, has gone farther than its place is unsure, and has gone there straight rather than to and fro;
 // more is demanded where many tracks begin or the background is cluttered, and everywhere in a scene that is not yet
 // known. All of that is counted from where it was last cut off: at the border of what is known a box shows where the
-// border is. Where there are more things than tracks, the weakest track is dropped. Pixels are those of the reduced
-// picture. Thread: one.
+// border is. What a classifier has recognised needs less, and what it should have recognised is not confirmed. Where
+// there are more things than tracks, the weakest track is dropped. Pixels are those of the reduced picture. Thread:
+// one.
 #pragma once
 
 #include <cstdint>
@@ -20,6 +21,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "programs/godwit-eyes/detection/appearance.hpp"
 #include "programs/godwit-eyes/detection/blobs.hpp"
 #include "programs/godwit-eyes/detection/clutter.hpp"
 #include "programs/godwit-eyes/detection/track_filter.hpp"
@@ -44,6 +46,7 @@ struct track {
   int by_background = 0;              // of the pictures in which it was seen, those with a blob of the background
   double age_s = 0;                   // as `age`
   std::optional<cv::Rect2d> extent{}; // about its place; none: its size is all of it
+  appearance looks{};
   bool is_confirmed = false;
   bool is_double = false; // most of it lies in a larger confirmed track: both follow one thing
 };

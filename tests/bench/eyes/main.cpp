@@ -23,6 +23,7 @@ struct options {
   int width = 1280;
   std::string folder;
   std::string recordings;
+  std::string model;
   std::vector<std::string> tiers{"a", "b"};
   clip_options clip;
   process_options process;
@@ -150,7 +151,7 @@ bool print_clip(const options& chosen) {
 }
 
 bool measure_and_print_recordings(const options& chosen) {
-  const auto found = measure_recordings(chosen.recordings, chosen.folder);
+  const auto found = measure_recordings(chosen.recordings, chosen.folder, chosen.model);
   if (!found) {
     std::fprintf(stderr, "bench_eyes: %s\n", found.error().c_str());
     return false;
@@ -188,6 +189,7 @@ void add_options(CLI::App& app, options& chosen) {
       ->check(CLI::IsMember({"a", "b"}));
   app.add_option("--clips", chosen.recordings,
                  "a folder of recordings with labels (docs/godwit-eyes.md): scores these, and nothing else");
+  app.add_option("--model", chosen.model, "with --clips: a net, as camera.model");
   app.add_option("--clip", chosen.clip.clip, "clip: vtest.avi of the package opencv-doc");
   app.add_option("--labels", chosen.clip.labels, "clip: who is in it");
   app.add_option("--motion", chosen.clip.seed, "clip: the seed of the camera's motion");

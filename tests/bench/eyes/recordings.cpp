@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <optional>
 #include <sstream>
 
@@ -12,6 +13,7 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/video/tracking.hpp>
 
+#include "programs/godwit-eyes/detection/classifier.hpp"
 #include "programs/godwit-eyes/look/drawing.hpp"
 #include "programs/godwit-eyes/look/look_files.hpp"
 #include "tests/bench/eyes/measure.hpp"
@@ -109,7 +111,8 @@ void add_labels(const clip_labels& labels, int number, cv::Mat& picture) {
     cv::rectangle(picture, each.box, cv::Scalar(255, 0, 0));
 }
 
-tl::expected<recording_figures, std::string> measured_recording(const fs::path& path, const std::string& folder) {
+tl::expected<recording_figures, std::string> measured_recording(const fs::path& path, const std::string& folder,
+                                                                const std::shared_ptr<classifier>& asked) {
   std::ifstream file(path);
   std::ostringstream text;
   text << file.rdbuf();
@@ -122,7 +125,7 @@ tl::expected<recording_figures, std::string> measured_recording(const fs::path& 
   recording_figures result;
   result.name = path.stem().string();
   ground_motion ground(fs::path(path).replace_extension(".ground"));
-  detector eyes{detector_settings{}};
+  detector eyes{detector_settings{}, asked};
   clip_detections found;
   trails ways;
   picture_reader reader(io::video::recording_at(*recording));
@@ -130,7 +133,7 @@ tl::expected<recording_figures, std::string> measured_recording(const fs::path& 
   for (int number = 1; const auto picture = reader.next(); ++number) {
     const auto& grey = picture->planes[0];
     last_ns = std::max(picture->stream_ns + ns_in_s, last_ns + 1);
-    const frame_view view{grey.pixels, picture->width, picture->height, grey.stride, last_ns};
+    const frame_view view = view_of(*picture, last_ns);
     const auto seen = eyes.look(view, std::nullopt);
     ways.add(seen);
     found.size = cv::Size(picture->width, picture->height);
@@ -183,8 +186,16 @@ mean_figure mean_of(const std::vector<double>& values) {
 
 } // namespace
 
-tl::expected<std::vector<recording_figures>, std::string> measure_recordings(const std::string& folder,
-                                                                             const std::string& draw) {
+tl::expected<std::vector<recording_figures>, std::string>
+measure_recordings(const std::string& folder, const std::string& draw, const std::string& model) {
+  use_one_thread();
+  std::shared_ptr<classifier> asked;
+  if (!model.empty()) {
+    auto made = io::eyes::read_model(model).and_then(classifier::make);
+    if (!made)
+      return tl::make_unexpected(std::move(made.error()));
+    asked = *std::move(made);
+  }
   std::error_code failed;
   std::vector<fs::path> labels;
   for (const auto& each : fs::directory_iterator(folder, failed))
@@ -197,7 +208,7 @@ tl::expected<std::vector<recording_figures>, std::string> measure_recordings(con
   std::ranges::sort(labels);
   std::vector<recording_figures> result;
   for (const auto& each : labels) {
-    auto measured = measured_recording(each, draw);
+    auto measured = measured_recording(each, draw, asked);
     if (!measured)
       return tl::make_unexpected(each.string() + ": " + measured.error());
     result.push_back(*std::move(measured));
@@ -208,17 +219,17 @@ tl::expected<std::vector<recording_figures>, std::string> measure_recordings(con
 void print_recordings(const std::vector<recording_figures>& all) {
   std::printf(
       "| clip | F1 by overlap / by middles | precision, recall by middles | movers found | false tracks a minute "
-      "| of use | ms p50 / p99 | not of use |\n|---|---|---|---|---|---|---|---|\n");
+      "| of use | ms p50 / p99; mean | not of use |\n|---|---|---|---|---|---|---|---|\n");
   std::vector<double> by_overlap;
   std::vector<double> by_middle;
   std::vector<double> false_tracks;
   double least_use = 1;
   for (const auto& each : all) {
     const auto& s = each.score;
-    std::printf("| %s | %.3f / %.3f | %.2f, %.2f | %d of %d | %.1f | %.0f %% | %.1f / %.1f |", each.name.c_str(),
+    std::printf("| %s | %.3f / %.3f | %.2f, %.2f | %d of %d | %.1f | %.0f %% | %.1f / %.1f; %.1f |", each.name.c_str(),
                 s.by_overlap.f1(), s.by_middle.f1(), s.by_middle.precision(), s.by_middle.recall(), s.movers_found,
                 s.movers, s.false_tracks_per_min, s.usable_share * 100, quantile(each.milliseconds, 0.5),
-                quantile(each.milliseconds, 0.99));
+                quantile(each.milliseconds, 0.99), mean_of(each.milliseconds).mean);
     for (const auto& [name, count] : each.reasons)
       std::printf(" %s %d", name.c_str(), count);
     std::printf(" |\n");

@@ -23,9 +23,9 @@ struct recording_figures {
   std::map<std::string, int> reasons; // of pictures of no use
 };
 
-// DRAW: a folder for drawn pictures, one of ten; no name: none are drawn.
-[[nodiscard]] tl::expected<std::vector<recording_figures>, std::string> measure_recordings(const std::string& folder,
-                                                                                           const std::string& draw);
+// DRAW: a folder for drawn pictures, one of ten; no name: none are drawn. MODEL: no name: without.
+[[nodiscard]] tl::expected<std::vector<recording_figures>, std::string>
+measure_recordings(const std::string& folder, const std::string& draw, const std::string& model);
 
 void print_recordings(const std::vector<recording_figures>& all);
 

@@ -9,9 +9,11 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "programs/godwit-eyes/detection/classifier.hpp"
 #include "programs/godwit-sim/camera/random.hpp"
 #include "tests/support/eyes/pose_of_view.hpp"
 #include "tests/support/eyes/score.hpp"
+#include "tests/support/eyes/small_net.hpp"
 #include "tests/support/eyes/suite.hpp"
 
 namespace godwit::eyes {
@@ -259,6 +261,23 @@ TEST(unusable, each_reason_has_a_name_and_a_sentence) {
     EXPECT_FALSE(sentence_of(static_cast<unusable>(n)).empty());
   }
   EXPECT_EQ(names.size(), static_cast<std::size_t>(unusable_count));
+}
+
+TEST(detector, with_a_net_what_it_recognises_has_its_class_and_box_and_without_one_nothing_has) {
+  const suite_case flight(sim::camera::tuning_seed(6), tier::a, of_size(640, 360));
+  const auto net = classifier::make(test::small_net()).value();
+  detector alone(settings_for(flight));
+  detector eyes(settings_for(flight), net);
+  int recognised = 0;
+  for (int n = 0; n < 60; ++n) {
+    const auto taken = flight.frame(n);
+    const auto view = view_of(taken.seen, n);
+    for (const auto& each : alone.look(view, test::pose_of(taken.real.view, view.captured_ns)).confirmed)
+      EXPECT_EQ(each.looks_like, object_class::unknown);
+    for (const auto& each : eyes.look(view, test::pose_of(taken.real.view, view.captured_ns)).confirmed)
+      recognised += each.looks_like == object_class::person ? 1 : 0;
+  }
+  EXPECT_GT(recognised, 20);
 }
 
 } // namespace detector_test

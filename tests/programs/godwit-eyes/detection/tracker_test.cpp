@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -149,6 +150,45 @@ int confirmed_among(int flickers, const tracker::prover& proves) {
     count += confirmed(of);
   }
   return count;
+}
+
+// Of one thing among flickers, about which a classifier says the same each picture.
+int confirmed_among_flickers(const std::function<void(appearance&)>& says) {
+  sim::camera::random_source random(7);
+  followed of({});
+  int count = 0;
+  for (int n = 0; n < 40; ++n) {
+    std::vector<blob> blobs{blob_at(100 + 3.0 * n, 100)};
+    for (int k = 0; k < 5; ++k)
+      blobs.push_back(blob_at(random.between(60, 300), random.between(110, 180), 4));
+    of.step(blobs, picture_s, still, picture);
+    for (auto& each : of.tracks())
+      if (each.filter.place().y < 105)
+        says(each.looks);
+    count += confirmed(of);
+  }
+  return count;
+}
+
+TEST(tracker, what_is_recognised_is_confirmed_sooner_and_what_should_have_been_is_not) {
+  const int alone = confirmed_among_flickers([](appearance&) {});
+  const int recognised = confirmed_among_flickers(
+      [](appearance& looks) { looks.add_recognised(io::eyes::object_class::person, 0.9, {}); });
+  EXPECT_GE(recognised, alone + 10);
+  EXPECT_GE(recognised, 30);
+  EXPECT_GT(confirmed_among_flickers([](appearance& looks) { looks.add_unrecognised(false); }), 0)
+      << "it could not have been recognised";
+  EXPECT_EQ(confirmed_among_flickers([](appearance& looks) { looks.add_unrecognised(true); }), 0);
+}
+
+TEST(tracker, what_is_recognised_and_stays_is_never_confirmed) {
+  followed of({});
+  for (int n = 0; n < 100; ++n) {
+    of.step(std::vector{blob_at(100, 100), blob_at(300 + 1.5 * std::sin(n * 0.5), 200)}, picture_s, still, picture);
+    for (auto& each : of.tracks())
+      each.looks.add_recognised(io::eyes::object_class::person, 0.9, {});
+    EXPECT_EQ(confirmed(of), 0);
+  }
 }
 
 TEST(tracker, among_clutter_what_is_not_proved_is_not_confirmed) {

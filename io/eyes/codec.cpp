@@ -38,7 +38,7 @@ std::string too_long(std::initializer_list<const std::string*> texts) {
 }
 
 std::string problem(const begin& m) {
-  if (auto text = too_long({&m.uri, &m.record_folder}); !text.empty())
+  if (auto text = too_long({&m.uri, &m.record_folder, &m.model}); !text.empty())
     return text;
   return out_of({{"width_px", static_cast<double>(m.width_px), 0, max_side_px},
                  {"height_px", static_cast<double>(m.height_px), 0, max_side_px},
@@ -69,7 +69,7 @@ std::string problem(const pose& m) {
 std::string problem(const want_picture& m) { return out_of({{"gap_ms", static_cast<double>(m.gap_ms), 20, 60'000}}); }
 
 std::string problem(const status& m) {
-  if (auto text = too_long({&m.reason, &m.unusable, &m.record_error}); !text.empty())
+  if (auto text = too_long({&m.reason, &m.unusable, &m.record_error, &m.model_error}); !text.empty())
     return text;
   return out_of({{"width_px", static_cast<double>(m.width_px), 0, max_side_px},
                  {"height_px", static_cast<double>(m.height_px), 0, max_side_px},

@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "io/eyes/object_class.hpp"
 #include "io/fields/field_table.hpp"
 
 namespace godwit::io::eyes {
@@ -34,8 +35,9 @@ struct begin {
   double max_off_nadir_deg = 70;
   std::string record_folder; // empty: nothing is recorded
   std::int64_t record_max_mb = 0;
+  std::string model; // a file (model_files.hpp); empty: nobody is asked what things look like
   GODWIT_FIELDS(begin, "eyes.begin", uri, width_px, height_px, focal_px, k1, k2, min_height_m, max_off_nadir_deg,
-                record_folder, record_max_mb);
+                record_folder, record_max_mb, model);
 };
 
 // Of the camera: body and mount are in it. The quaternion turns camera axes (x right, y down, z into the picture) into
@@ -101,8 +103,10 @@ struct status {
   std::uint64_t pictures = 0;    // put into the slot
   std::uint64_t recorded_kb = 0; // in segments that are there
   std::string record_error;      // a sentence; empty: all is well
+  std::string model_error;       // the same, of the model
   GODWIT_FIELDS(status, "eyes.status", at_ns, source, reason, fault, width_px, height_px, frames_per_s, frames, dropped,
-                opened, changes, looked, usable, usable_at_ns, unusable, look_ms, pictures, recorded_kb, record_error);
+                opened, changes, looked, usable, usable_at_ns, unusable, look_ms, pictures, recorded_kb, record_error,
+                model_error);
 };
 
 // Of a picture, in pixels from its upper left corner.
@@ -132,7 +136,8 @@ struct candidate {
   double confidence = 0;             // 0..1
   double speed_px_s = 0;
   std::int32_t frames_seen = 0;
-  GODWIT_FIELDS(candidate, "eyes.candidate", track, where, place, confidence, speed_px_s, frames_seen);
+  object_class looks_like = object_class::unknown;
+  GODWIT_FIELDS(candidate, "eyes.candidate", track, where, place, confidence, speed_px_s, frames_seen, looks_like);
 };
 
 // What moves in one picture; not said of pictures in which nothing does.

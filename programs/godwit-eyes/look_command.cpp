@@ -59,6 +59,8 @@ command add_look_command(CLI::App& to) {
   app->add_option("--out", wanted.folder, "Draws pictures into this folder, which is made and must be empty");
   app->add_option("--boxes", wanted.boxes, "Writes what it found into this file: frame,track,x,y,w,h,score");
   app->add_option("--use", wanted.use, "Writes into this file whether each picture was of use: frame,usable");
+  app->add_option("--model", wanted.model,
+                  "A net that says what things look like: NAME.weights beside NAME.cfg, or NAME.onnx");
   app->add_option("--every", wanted.every, "Draws one of so many pictures")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();

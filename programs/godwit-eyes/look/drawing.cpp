@@ -55,7 +55,8 @@ void draw_said(cv::Mat& on, const verdict& seen, const trails& ways, double size
     const auto& colour = each.is_seen_now ? green : yellow;
     const auto box = rounded(each.box);
     cv::rectangle(on, box, colour, 2);
-    write(on, text("#%u %.0f px/s", each.track, each.speed_px_s), {box.x, box.y - 4}, colour, size);
+    const std::string what(each.looks_like == object_class::unknown ? "" : io::name_of(each.looks_like));
+    write(on, text("#%u %s %.0f px/s", each.track, what.c_str(), each.speed_px_s), {box.x, box.y - 4}, colour, size);
     const auto way = ways.all().find(each.track);
     for (std::size_t n = 1; way != ways.all().end() && n < way->second.size(); ++n)
       cv::line(on, way->second[n - 1], way->second[n], colour, 1, cv::LINE_AA);

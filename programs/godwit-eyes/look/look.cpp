@@ -8,6 +8,7 @@
 #include <optional>
 #include <system_error>
 
+#include "programs/godwit-eyes/detection/classifier.hpp"
 #include "programs/godwit-eyes/look/drawing.hpp"
 #include "programs/godwit-eyes/look/look_files.hpp"
 
@@ -40,7 +41,8 @@ void keep(std::vector<double>& in, double value) {
 
 class looking {
 public:
-  explicit looking(const look_settings& wanted) : wanted_(wanted), reader_(wanted.from) {}
+  looking(const look_settings& wanted, const std::shared_ptr<classifier>& asked)
+      : wanted_(wanted), reader_(wanted.from), detector_(detector_settings{}, asked) {}
 
   tl::expected<look_summary, std::string> run() {
     if (auto opened = tables_.open(wanted_.boxes, wanted_.use); !opened)
@@ -79,9 +81,7 @@ private:
   }
 
   tl::expected<void, std::string> look(const io::video::frame& picture, std::int64_t at_ns) {
-    const auto& grey = picture.planes[0];
-    // The detector takes a time of 0 for none.
-    const frame_view frame{grey.pixels, picture.width, picture.height, grey.stride, at_ns + ns_in_s};
+    const frame_view frame = view_of(picture, at_ns + ns_in_s); // the detector takes a time of 0 for none
     const auto seen = detector_.look(frame, std::nullopt);
     ways_.add(seen);
     const picture_label label{sum_.pictures + 1, static_cast<double>(at_ns) / ns_in_s};
@@ -120,12 +120,13 @@ private:
       track.size_px = std::max({track.size_px, each.box.width_px, each.box.height_px});
       track.speed_px_s = each.speed_px_s;
       track.confidence = std::max(track.confidence, each.confidence);
+      track.looks_like = each.looks_like;
     }
   }
 
   const look_settings& wanted_;
   picture_reader reader_;
-  detector detector_{detector_settings{}};
+  detector detector_;
   trails ways_;
   boxes_file tables_;
   look_summary sum_;
@@ -140,7 +141,14 @@ tl::expected<look_summary, std::string> look_through(const look_settings& wanted
   if (!wanted.folder.empty())
     if (auto made = make_folder(wanted.folder); !made)
       return tl::make_unexpected(std::move(made.error()));
-  return looking(wanted).run();
+  std::shared_ptr<classifier> asked;
+  if (!wanted.model.empty()) {
+    auto made = io::eyes::read_model(wanted.model).and_then(classifier::make);
+    if (!made)
+      return tl::make_unexpected("the model can not be used: " + made.error());
+    asked = *std::move(made);
+  }
+  return looking(wanted, asked).run();
 }
 
 } // namespace godwit::eyes

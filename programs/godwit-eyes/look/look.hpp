@@ -21,6 +21,7 @@ struct look_settings {
   io::video::camera_uri from;
   std::string boxes;   // a file for what was found in each picture (look_files.hpp); no name: none
   std::string use;     // a file for whether each picture was of use; no name: none
+  std::string model;   // a net (io/eyes/model_files.hpp); no name: none
   std::string folder;  // for the drawn pictures: is made, and must be empty; no name: nothing is drawn
   int every = 10;      // of the pictures one is drawn
   int most_drawn = 50; // then no more
@@ -34,7 +35,8 @@ struct track_summary {
   int pictures = 0;   // in which it was said
   double size_px = 0; // the longer side, at most
   double speed_px_s = 0;
-  double confidence = 0; // at most
+  double confidence = 0;                           // at most
+  object_class looks_like = object_class::unknown; // at the end
 };
 
 struct look_summary {

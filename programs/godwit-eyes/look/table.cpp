@@ -43,12 +43,13 @@ std::string track_lines(const look_summary& seen) {
   std::string result = line("tracks     %zu", rows.size());
   if (rows.empty())
     return result;
-  result +=
-      line("  %8s %9s %9s %9s %9s %9s %10s", "track", "from s", "to s", "pictures", "size px", "px/s", "confidence");
+  result += line("  %8s %9s %9s %9s %9s %9s %10s  %s", "track", "from s", "to s", "pictures", "size px", "px/s",
+                 "confidence", "class");
   for (std::size_t n = 0; n < std::min(rows.size(), most_rows); ++n) {
     const auto& [number, its] = rows[n];
-    result += line("  %8u %9.2f %9.2f %9d %9.0f %9.0f %10.2f", number, its.first_s, its.last_s, its.pictures,
-                   its.size_px, its.speed_px_s, its.confidence);
+    const std::string what(its.looks_like == object_class::unknown ? "-" : io::name_of(its.looks_like));
+    result += line("  %8u %9.2f %9.2f %9d %9.0f %9.0f %10.2f  %s", number, its.first_s, its.last_s, its.pictures,
+                   its.size_px, its.speed_px_s, its.confidence, what.c_str());
   }
   if (rows.size() > most_rows)
     result += line("  and %zu that were reported for a shorter time", rows.size() - most_rows);

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "io/eyes/codec.hpp"
+#include "programs/godwit-eyes/detection/classifier.hpp"
 #include "programs/godwit-eyes/detection/detector.hpp"
 
 namespace godwit::eyes {
@@ -52,6 +53,7 @@ io::eyes::candidate message_of(const candidate& seen) {
   result.confidence = std::clamp(seen.confidence, 0.0, 1.0);
   result.speed_px_s = seen.speed_px_s;
   result.frames_seen = seen.frames_seen;
+  result.looks_like = seen.looks_like;
   if (seen.place)
     result.place =
         io::eyes::ground_place{seen.place->latitude_deg,     seen.place->longitude_deg, seen.place->variance_north_m2,
@@ -76,13 +78,28 @@ struct looker::parts {
   std::thread thread;
 
   // Of the thread.
+  model wanted_model;
+  std::shared_ptr<classifier> asked;
   std::unique_ptr<detector> seeing;
   std::int32_t width = 0;
   std::int32_t height = 0;
   std::string no_detector; // why there is none for this size
 
+  // Here, where the process is confined: a file that was made to break the parser breaks the helper alone.
+  void load_model() {
+    if (!wanted_model)
+      return;
+    auto made = wanted_model->and_then(classifier::make);
+    wanted_model.reset();
+    if (made)
+      asked = *std::move(made);
+    const std::lock_guard guard(mutex);
+    now.model_error = made ? "" : "the model is not used: " + made.error();
+  }
+
   void run() {
     use_one_thread();
+    load_model();
     for (;;) {
       {
         std::unique_lock lock(mutex);
@@ -107,7 +124,7 @@ struct looker::parts {
     seeing.reset();
     no_detector = problem_of(wished).value_or(std::string());
     if (no_detector.empty())
-      seeing = std::make_unique<detector>(wished);
+      seeing = std::make_unique<detector>(wished, asked);
   }
 
   void look(const io::video::frame& picture) {
@@ -118,10 +135,8 @@ struct looker::parts {
       pose = poses.at(picture.captured_ns);
     }
     verdict found;
-    if (seeing) {
-      const auto& grey = picture.planes[0];
-      found = seeing->look({grey.pixels, picture.width, picture.height, grey.stride, picture.captured_ns}, pose);
-    }
+    if (seeing)
+      found = seeing->look(view_of(picture, picture.captured_ns), pose);
     if (found.why == unusable::none && !found.confirmed.empty())
       tell_of(picture, found);
     const std::lock_guard guard(mutex);
@@ -149,10 +164,11 @@ struct looker::parts {
   }
 };
 
-looker::looker(io::eyes::begin wanted, std::function<std::optional<io::video::frame>()> take,
+looker::looker(io::eyes::begin wanted, model asked, std::function<std::optional<io::video::frame>()> take,
                std::function<void(const io::video::frame&)> pass_on, teller tell)
     : parts_(std::make_unique<parts>()) {
   parts_->wanted = std::move(wanted);
+  parts_->wanted_model = std::move(asked);
   parts_->take = std::move(take);
   parts_->pass_on = std::move(pass_on);
   parts_->tell = std::move(tell);

@@ -14,7 +14,10 @@
 #include <optional>
 #include <string>
 
+#include <tl/expected.hpp>
+
 #include "io/eyes/messages.hpp"
+#include "io/eyes/model_files.hpp"
 #include "io/video/frame.hpp"
 #include "programs/godwit-eyes/ground/camera.hpp"
 
@@ -26,14 +29,17 @@ struct look_report {
   std::int64_t usable_at_ns = 0;
   std::string unusable; // why the newest picture says nothing; empty: it does
   double look_ms = 0;
+  std::string model_error; // why it is not used; empty: there is none, or it is
 };
 
 class looker {
 public:
   using teller = std::function<void(const io::eyes::candidates& seen, const io::video::frame& in)>;
 
+  // MODEL: nothing where none is wanted; a sentence where it can not be read.
   // TAKE gives the newest frame that nobody has taken; PASS_ON is called with each frame that was looked at.
-  looker(io::eyes::begin wanted, std::function<std::optional<io::video::frame>()> take,
+  using model = std::optional<tl::expected<io::eyes::model_files, std::string>>;
+  looker(io::eyes::begin wanted, model asked, std::function<std::optional<io::video::frame>()> take,
          std::function<void(const io::video::frame&)> pass_on, teller tell);
   ~looker();
   looker(const looker&) = delete;

@@ -61,11 +61,11 @@ std::optional<io::video::recorder_settings> recording_of(const io::eyes::begin& 
 // looker asks only when the source is there, and has ended when it goes.
 class work {
 public:
-  work(const io::eyes::begin& wanted, io::video::camera_uri from, io::eyes::channel& to_daemon,
+  work(const io::eyes::begin& wanted, looker::model model, io::video::camera_uri from, io::eyes::channel& to_daemon,
        io::eyes::picture_slot& slot)
       : pictures_(&slot, recording_of(wanted)), cutouts_(slot),
         looker_(
-            wanted,
+            wanted, std::move(model),
             [this] {
               auto* const from_camera = asked_.load();
               return from_camera == nullptr ? std::nullopt : from_camera->take();
@@ -112,6 +112,7 @@ public:
     result.pictures = shown.shown;
     result.recorded_kb = shown.recorded_bytes / 1000;
     result.record_error = io::eyes::clipped(shown.record_error);
+    result.model_error = io::eyes::clipped(seen.model_error);
     return result;
   }
 
@@ -182,9 +183,12 @@ private:
       return;
     auto from = io::video::parse_camera_uri(wanted.uri);
     if (from) {
+      looker::model model; // its bytes: the file is out of reach afterwards
+      if (!wanted.model.empty())
+        model = io::eyes::read_model(wanted.model);
       if (hooks_.before_work)
         hooks_.before_work(wanted, *from);
-      work_ = std::make_unique<work>(wanted, *std::move(from), to_daemon_, slot_);
+      work_ = std::make_unique<work>(wanted, std::move(model), *std::move(from), to_daemon_, slot_);
       return;
     }
     refused_.emplace();

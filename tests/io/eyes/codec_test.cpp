@@ -32,6 +32,7 @@ candidates two_movers() {
   with_place.where = {1, 2, 3, 4};
   with_place.place = ground_place{47.4, 8.5, 4, 5, -1, 1.8};
   with_place.confidence = 0.75;
+  with_place.looks_like = object_class::animal;
   said.seen = {with_place, candidate{}};
   return said;
 }

@@ -13,6 +13,7 @@
 #include "io/video/jpeg_encoder.hpp"
 #include "io/video/recorder.hpp"
 #include "tests/support/eyes/generated_frame.hpp"
+#include "tests/support/eyes/small_net.hpp"
 #include "tests/support/eyes/suite.hpp"
 
 namespace look_test {
@@ -130,6 +131,21 @@ TEST_F(look_through_recording, what_moves_and_why_pictures_are_of_no_use_is_said
   const auto table = table_of(*seen);
   EXPECT_NE(table.find("pictures   60 of 640 x 360"), std::string::npos) << table;
   EXPECT_NE(table.find("1  blank: the picture has one brightness: a cap, or no signal"), std::string::npos) << table;
+}
+
+TEST_F(look_through_recording, a_model_says_what_things_look_like_and_one_that_is_none_is_refused) {
+  look_settings wanted;
+  wanted.from = recording();
+  wanted.model = eyes::test::written(eyes::test::small_net(), root() + "/net");
+  const auto seen = look_through(wanted);
+  ASSERT_TRUE(seen) << seen.error();
+  EXPECT_TRUE(std::ranges::any_of(seen->tracks,
+                                  [](const auto& each) { return each.second.looks_like == object_class::person; }));
+  EXPECT_NE(table_of(*seen).find("  person\n"), std::string::npos) << table_of(*seen);
+  wanted.model = eyes::test::written(eyes::test::small_net(3), root() + "/other");
+  const auto refused = look_through(wanted);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().find("rows of 85 numbers"), std::string::npos) << refused.error();
 }
 
 TEST_F(look_through_recording, one_of_so_many_is_drawn_and_never_more_than_wished) {

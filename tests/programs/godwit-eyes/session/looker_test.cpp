@@ -10,6 +10,7 @@
 #include "programs/godwit-eyes/session/looker.hpp"
 #include "programs/godwit-eyes/session/picture_maker.hpp"
 #include "tests/support/eyes/generated_frame.hpp"
+#include "tests/support/eyes/small_net.hpp"
 #include "tests/support/eyes/suite.hpp"
 #include "tests/support/time_units.hpp"
 
@@ -41,6 +42,7 @@ struct shown {
     cutouts.add(seen, in);
     for (const auto& each : seen.seen) {
       ++pictures_of[each.track];
+      ++classes[each.looks_like];
       if (const auto made = slot.read_cutout(each.track)) {
         ++with_cutout;
         EXPECT_LE(made->captured_ns, seen.captured_ns);
@@ -53,10 +55,14 @@ struct shown {
   std::optional<io::video::frame> waiting;
   int passed_on = 0;
   std::map<std::uint32_t, int> pictures_of;
+  std::map<object_class, int> classes;
   int with_cutout = 0;
   io::eyes::picture_slot slot = io::eyes::picture_slot::make().value();
   cutout_maker cutouts{slot};
+  explicit shown(looker::model asked = {}) : wanted(std::move(asked)) {}
+  looker::model wanted;
   looker who{{},
+             wanted,
              [this] {
                const std::lock_guard guard(mutex);
                return std::exchange(waiting, std::nullopt);
@@ -81,6 +87,24 @@ TEST(eyes_looker, what_moves_is_said_with_the_picture_in_which_it_was_seen) {
   for (const auto& [track, pictures] : s.pictures_of)
     said += pictures;
   EXPECT_GT(s.with_cutout, 0.9 * said) << "of " << said;
+}
+
+TEST(eyes_looker, with_a_model_candidates_have_a_class_and_a_model_that_is_none_is_said) {
+  sim::camera::suite_options options;
+  options.width = 640;
+  options.height = 360;
+  const sim::camera::suite_case flight(sim::camera::tuning_seed(6), sim::camera::tier::a, options);
+  shown s{test::small_net()};
+  for (int n = 0; n < 45; ++n)
+    ASSERT_TRUE(s.look_at(test::frame_of(flight.frame(n).seen, (n + 1) * frame_ns)));
+  EXPECT_EQ(s.who.report().model_error, "");
+  EXPECT_GT(s.classes[object_class::person], 0);
+  for (const auto& wrong : {looker::model(test::small_net(3)), looker::model(tl::make_unexpected("it is not there"))}) {
+    shown other{wrong};
+    ASSERT_TRUE(other.look_at(test::frame_of(flight.frame(0).seen, frame_ns)));
+    EXPECT_TRUE(other.who.report().model_error.starts_with("the model is not used: it "))
+        << other.who.report().model_error;
+  }
 }
 
 TEST(eyes_looker, a_change_of_size_makes_a_new_detector_and_one_that_can_not_be_is_said) {

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "io/eyes/helper.hpp"
+#include "tests/support/eyes/small_net.hpp"
 
 namespace process_test {
 
@@ -31,14 +32,21 @@ struct started {
                  }});
   }
   ~started() { who.reset(); }
-  void start(std::uint32_t run) {
+  void start(std::uint32_t run, const std::string& model = {}) {
     begin how;
+    how.model = model;
     how.uri = "test://snow?fps=30";
     who->start(run, how);
   }
   bool is_playing(std::uint32_t run) {
     std::unique_lock lock(mutex);
     return changed.wait_for(lock, 20s, [&] { return statuses[run].source == source_state::playing; });
+  }
+  // When it has looked, and what it says of its model then.
+  std::string model_error(std::uint32_t run) {
+    std::unique_lock lock(mutex);
+    const auto has_looked = [&] { return statuses[run].looked > 2; };
+    return changed.wait_for(lock, 20s, has_looked) ? statuses[run].model_error : "it has not looked: " + ended[run];
   }
   // The one child of ours that is a godwit-eyes.
   static pid_t process() {
@@ -73,6 +81,20 @@ TEST(eyes_process, it_plays_is_killed_and_plays_again) {
   }
   s.start(2);
   EXPECT_TRUE(s.is_playing(2)) << s.ended[2];
+}
+
+TEST(eyes_process, shut_in_it_uses_its_model_and_names_one_that_it_can_not_use) {
+  const auto folder = std::filesystem::temp_directory_path() / ("godwit_model_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  started s;
+  s.start(1, godwit::eyes::test::written(godwit::eyes::test::small_net(), folder / "net"));
+  EXPECT_EQ(s.model_error(1), "");
+  s.start(2, godwit::eyes::test::written({"[net]\nnonsense", "and more"}, folder / "broken"));
+  EXPECT_TRUE(s.model_error(2).starts_with("the model is not used: OpenCV does not read it")) << s.model_error(2);
+  s.start(3, folder / "none.weights");
+  EXPECT_EQ(s.model_error(3),
+            "the model is not used: " + (folder / "none.cfg").string() + " can not be read: No such file or directory");
+  std::filesystem::remove_all(folder);
 }
 
 TEST(eyes_process, it_ends_when_the_daemon_does) {

@@ -32,6 +32,7 @@ io::eyes::begin beginning_of(const settings& configured) {
   result.max_off_nadir_deg = configured.max_off_nadir_deg;
   result.record_folder = configured.record_folder;
   result.record_max_mb = configured.record_max_mb;
+  result.model = configured.model;
   return result;
 }
 
@@ -191,7 +192,7 @@ std::string core::sentence(instant now) const {
     return std::string(settings_.is_on_gimbal ? "the gimbal reports no attitude that can be used"
                                               : "the vehicle reports no attitude") +
            ", or the vehicle no position: what moves is found, and not where it is";
-  return {};
+  return status_->model_error;
 }
 
 std::string core::sentence_of_pictures(instant now) const {
@@ -229,31 +230,39 @@ std::optional<mapobjects_store::sighting> core::sighting_of(const io::eyes::cand
     return std::nullopt;
   }
   if (!survey_ || !survey_->is_flying || survey_->item_id.empty() || seen.confidence < settings_.min_confidence ||
-      !has_room_for(seen.track, now))
+      !has_room_for(seen, now))
     return std::nullopt;
   ++sightings_;
   mapobjects_store::sighting result;
   result.mission_id = survey_->mission_id;
   result.id = ids::derived_uuid(ids::derived_uuid(result.mission_id, ids::text_of({seen_by_eyes, seed_})),
                                 ids::text_of({(std::uint64_t{run_} << 32U) | seen.track, sightings_}));
-  result.class_group = settings_.class_group;
+  result.class_group = told_.at(seen.track).class_group;
   result.position = {seen.place->latitude_deg, seen.place->longitude_deg, std::nullopt};
   result.at_ns = now.wall_ns - (now.monotonic_ns - captured_ns);
   result.confidence = seen.confidence;
   return result;
 }
 
-bool core::has_room_for(std::uint32_t track, instant now) {
+// One that was said before goes on under the same class group: on the map it would be a second thing otherwise.
+bool core::has_room_for(const io::eyes::candidate& seen, instant now) {
   if (now.monotonic_ns - second_ns_ >= ns_in_s) {
     second_ns_ = now.monotonic_ns;
     in_second_ = 0;
   }
-  const auto told = told_.find(track);
-  if (in_second_ >= max_sightings_a_second || (told != told_.end() && now.monotonic_ns - told->second < same_track_ns))
+  const auto told = told_.find(seen.track);
+  if (in_second_ >= max_sightings_a_second ||
+      (told != told_.end() && now.monotonic_ns - told->second.at_ns < same_track_ns))
     return false;
-  if (told == told_.end() && told_.size() >= max_tracks)
-    told_.erase(told_.begin()); // the oldest: numbers of tracks rise
-  told_[track] = now.monotonic_ns;
+  if (told != told_.end()) {
+    told->second.at_ns = now.monotonic_ns;
+  } else {
+    if (told_.size() >= max_tracks)
+      told_.erase(told_.begin()); // the oldest: numbers of tracks rise
+    const bool is_known = seen.looks_like != io::eyes::object_class::unknown;
+    told_[seen.track] = {now.monotonic_ns,
+                         is_known ? std::string(io::name_of(seen.looks_like)) : settings_.class_group};
+  }
   ++in_second_;
   return true;
 }

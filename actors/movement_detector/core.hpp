@@ -99,7 +99,7 @@ private:
   [[nodiscard]] bool is_seeing(instant now) const;
   [[nodiscard]] std::string sentence(instant now) const; // what is missing; empty: nothing
   [[nodiscard]] std::string sentence_of_pictures(instant now) const;
-  [[nodiscard]] bool has_room_for(std::uint32_t track, instant now);
+  [[nodiscard]] bool has_room_for(const io::eyes::candidate& seen, instant now);
   [[nodiscard]] std::optional<mapobjects_store::sighting> sighting_of(const io::eyes::candidate& seen,
                                                                       std::int64_t captured_ns, instant now);
 
@@ -132,8 +132,12 @@ private:
   std::optional<gimbal_told> gimbal_;
   std::optional<scan_controller::survey_progress> survey_;
 
-  std::map<std::uint32_t, std::int64_t> told_; // when a track of this run was last said to the map
-  std::int64_t second_ns_ = 0;                 // in which these were said
+  struct track_told {
+    std::int64_t at_ns = 0; // the last time
+    std::string class_group;
+  };
+  std::map<std::uint32_t, track_told> told_; // to the map, of the tracks of this run
+  std::int64_t second_ns_ = 0;               // in which these were said
   std::size_t in_second_ = 0;
   std::uint64_t starts_ = 0;
   std::uint64_t candidates_ = 0;

@@ -29,6 +29,7 @@ struct settings {
   double min_confidence = 0.5;
   std::string record_folder; // empty: nothing is recorded
   std::int64_t record_max_mb = 0;
+  std::string model; // a file (io/eyes/model_files.hpp); empty: nobody is asked what things look like
 };
 
 // What can not be, as a sentence that begins with the name of the setting; nothing: it can be used. The address of the

@@ -49,8 +49,8 @@ void camera_trial::begin(std::int64_t now_ns) {
 }
 
 void camera_trial::judge(std::int64_t now_ns) {
-  if (status_ && status_->frames > 0) {
-    known_ = {camera_state::ready, {}};
+  if (status_ && status_->looked > 0) {
+    known_ = {status_->model_error.empty() ? camera_state::ready : camera_state::not_ready, status_->model_error};
     return finish(now_ns + ready_lasts_ns);
   }
   if (ended_) {
@@ -59,7 +59,9 @@ void camera_trial::judge(std::int64_t now_ns) {
   }
   if (now_ns - began_ns_ < patience_ns)
     return;
-  known_ = {camera_state::not_ready, status_ ? status_->reason : "godwit-eyes has sent nothing since it was started"};
+  known_ = {camera_state::not_ready, !status_              ? "godwit-eyes has sent nothing since it was started"
+                                     : status_->frames > 0 ? "pictures come, and godwit-eyes does not look at them"
+                                                           : status_->reason};
   if (!status_)
     finish(now_ns + retry_ns);
 }

@@ -1,10 +1,11 @@
 // Whether the camera gives pictures, tried on the ground: for the preflight check, which says it before the flight.
 //
-//   idle ──due──> trying ──a picture came──> idle: ready, and tried again after `ready_lasts_ns`
+//   idle ──due──> trying ──a picture was looked at──> idle: ready (not with a broken model), again after
+//                   │                                 `ready_lasts_ns`
 //                   └──none within `patience_ns`, or the helper ends──> not ready, and it goes on trying
 //
-// A helper process of its own opens the camera, and lets go of it when a picture came. In flight nothing is tried: the
-// camera is movement_detector's. Nothing here blocks. Thread: any.
+// A helper process of its own opens the camera, and lets go of it when a picture was looked at. In flight nothing is
+// tried: the camera is movement_detector's. Nothing here blocks. Thread: any.
 #pragma once
 
 #include <cstdint>

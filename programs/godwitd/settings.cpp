@@ -335,6 +335,7 @@ checked read_camera(const json& camera, daemon_settings& to) {
   result.min_confidence = camera.at("min_confidence").get<double>();
   result.record_folder = text(camera, "record_folder");
   result.record_max_mb = camera.at("record_max_mb").get<std::int64_t>();
+  result.model = text(camera, "model");
   if (const auto objection = movement_detector::objection_to(result))
     return tl::make_unexpected("camera." + *objection);
   to.eyes_program = text(camera, "program");

@@ -114,8 +114,8 @@ result check_camera(const facts& seen, const settings&) {
   case camera_state::ready:
     return pass("The camera is ready.");
   case camera_state::not_ready:
-    return degraded("The camera gives no picture" + (seen.camera.problem.empty() ? "" : ": " + seen.camera.problem) +
-                    "; check its cable and power, or fly without pictures.");
+    return degraded("The camera is not ready" + (seen.camera.problem.empty() ? "" : ": " + seen.camera.problem) +
+                    "; check its cable, power and settings, or fly as it is.");
   case camera_state::unknown:
     break;
   }

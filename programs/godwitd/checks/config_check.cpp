@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "actors/mission_client/http_service.hpp"
+#include "io/eyes/model_files.hpp"
 #include "io/http/secret_file.hpp"
 #include "io/mavlink/signing/key_file.hpp"
 #include "programs/godwitd/accounts/account_file.hpp"
@@ -61,6 +62,9 @@ void check_inputs(const daemon_settings& wanted, problem_list& to) {
     if (const auto mission = load_mission_file(wanted.mission_file, wanted.allow_partial, wanted.allowed_commands);
         !mission)
       to.add("mission", mission.error());
+  if (wanted.camera && !wanted.camera->model.empty())
+    if (const auto model = io::eyes::read_model(wanted.camera->model); !model)
+      to.add("camera", "camera.model: " + model.error());
   if (!wanted.sightings_file.empty() && wanted.sightings_file != "-")
     to.must_be_readable("sightings", wanted.sightings_file);
 }

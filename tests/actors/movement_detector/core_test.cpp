@@ -248,6 +248,47 @@ TEST(movement_detector_core, a_track_is_said_to_the_map_once_in_two_seconds_and_
   EXPECT_EQ(e.all.view_of(e.now).without_place, 1U);
 }
 
+TEST(movement_detector_core, a_track_keeps_the_class_under_which_it_was_first_said) {
+  eyes e;
+  (void)e.status();
+  e.survey();
+  const auto group_of = [&e](std::uint32_t track, io::eyes::object_class what) {
+    helper_candidates said{e.run, {}};
+    io::eyes::candidate one;
+    one.track = track;
+    one.confidence = 1;
+    one.place = io::eyes::ground_place{};
+    one.looks_like = what;
+    said.what.seen = {one};
+    said.what.captured_ns = e.now.monotonic_ns;
+    e.pass(core::same_track_ns);
+    said.what.captured_ns = e.now.monotonic_ns;
+    return only<mapobjects_store::sighting>(e.all.on_candidates(said, e.now)).at(0).class_group;
+  };
+  EXPECT_EQ(group_of(1, io::eyes::object_class::person), "person");
+  EXPECT_EQ(group_of(1, io::eyes::object_class::unknown), "person");
+  EXPECT_EQ(group_of(2, io::eyes::object_class::unknown), "moving");
+  EXPECT_EQ(group_of(2, io::eyes::object_class::boat), "moving");
+}
+
+TEST(movement_detector_core, a_model_that_can_not_be_used_is_named_and_it_goes_on_seeing) {
+  settings configured = eyes::a_camera();
+  configured.model = "/models/net.onnx";
+  core all(configured, 5, 0);
+  instant now;
+  const auto begun = only<start_helper>(all.on_time(now)).at(0);
+  EXPECT_EQ(begun.how.model, "/models/net.onnx");
+  eyes e;
+  helper_status said{e.run, {}};
+  said.what.source = source_state::playing;
+  said.what.usable_at_ns = e.now.monotonic_ns;
+  said.what.model_error = "the model is not used: it is no net";
+  (void)e.all.on_status(said, e.now);
+  (void)e.telemetry();
+  EXPECT_TRUE(e.all.view_of(e.now).is_seeing);
+  EXPECT_EQ(e.all.health(e.now).reason, said.what.model_error);
+}
+
 TEST(movement_detector_core, with_each_sighting_its_picture_is_kept_under_its_id) {
   eyes e;
   (void)e.status();

@@ -17,7 +17,7 @@ struct tried {
   camera_state look() { return all.look(now_ns).state; }
   void says(std::uint64_t frames, const std::string& reason = {}) {
     io::eyes::status said;
-    said.frames = frames;
+    said.frames = said.looked = frames;
     said.reason = reason;
     all.on_message(started, said);
   }
@@ -49,6 +49,24 @@ TEST(camera_trial, one_that_gives_no_picture_is_named_with_the_reason_and_tried_
   EXPECT_TRUE(t.is_open()) << "it may be connected yet";
   t.says(1);
   EXPECT_EQ(t.look(), camera_state::ready);
+}
+
+TEST(camera_trial, a_model_that_can_not_be_used_and_pictures_that_are_not_looked_at_are_named) {
+  tried t;
+  (void)t.look();
+  io::eyes::status said;
+  said.frames = 1;
+  t.all.on_message(t.started, said);
+  EXPECT_EQ(t.look(), camera_state::unknown) << "its model is being loaded";
+  t.now_ns = camera_trial::patience_ns;
+  EXPECT_EQ(t.look(), camera_state::not_ready);
+  EXPECT_EQ(t.all.look(t.now_ns).problem, "pictures come, and godwit-eyes does not look at them");
+  said.looked = 1;
+  said.model_error = "the model is not used: it is no net";
+  t.all.on_message(t.started, said);
+  EXPECT_EQ(t.look(), camera_state::not_ready);
+  EXPECT_EQ(t.all.look(t.now_ns).problem, said.model_error);
+  EXPECT_FALSE(t.is_open());
 }
 
 TEST(camera_trial, a_helper_that_ends_or_says_nothing_is_named_and_started_again) {

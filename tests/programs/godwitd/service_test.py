@@ -238,6 +238,14 @@ class Check(World):
             self.assertEqual((checked.returncode, checked.stdout), (USAGE, ""), words)
             self.assertNotEqual(self.run_it(*words).returncode, OK, words)
 
+    def test_a_model_of_the_camera_that_is_not_there_is_blamed(self):
+        pathlib.Path(self.path("c.json")).write_text(json.dumps({"camera": {
+            "uri": "test://ball", "width_px": 640, "height_px": 360, "focal_px": 550,
+            "model": self.path("net.weights")}}), encoding="utf-8")
+        checked = self.check("--config", self.path("c.json"))
+        self.assertEqual(checked.returncode, USAGE)
+        self.assertIn("camera.model: " + self.path("net.cfg") + " can not be read", checked.stderr)
+
     def test_a_mission_that_is_none_is_blamed(self):
         pathlib.Path(self.path("m.plan")).write_text("{}", encoding="utf-8")
         checked = subprocess.run([PROGRAM, "--check-config", "--mission", self.path("m.plan"), "--vehicle",

@@ -139,7 +139,7 @@ ground_port::mission_progress progress_shown(const state& s, const vehicle_view&
                            s.flown->mission.mission_id == s.mission->mission_id && (!s.arrived || s.status.in_flight);
   if (is_followed) {
     const auto& generation = s.progress.plan->generation;
-    const auto at = generation.is_armed ? generation.current : generation.start_sequence;
+    const auto at = generation.is_armed ? generation.moved_to.value_or(generation.current) : generation.start_sequence;
     result.current = current_shown(s, at, with_home).value_or(0);
   }
   return result;

@@ -129,6 +129,33 @@ TEST_P(flight_by_station, a_cleared_plan_can_not_be_started) {
   EXPECT_FALSE(world.say(operators::command_kind::start).is_taken);
 }
 
+// Its report comes when the act was confirmed, near the next place.
+TEST(flight_by_station_of_a_load, the_item_under_way_is_shown_while_an_act_is_held_back_by_a_condition) {
+  const auto who = sim::personality::ardupilot;
+  auto options = by_stations(who);
+  options.has_payload = true;
+  flight_world world(options);
+  auto items = station_items(who);
+  constexpr std::uint16_t drop = 4;
+  const auto command = [](mav_cmd what, float first) {
+    auto result = item_of(what, {});
+    result.frame = number(mav_frame::mission);
+    result.param1 = first;
+    return result;
+  };
+  const auto after_first_place = items.begin() + drop - 1;
+  items.insert(after_first_place, {command(mav_cmd::condition_distance, 5), command(mav_cmd::do_gripper, 1)});
+  items = numbered(items);
+  ASSERT_TRUE(bring(world, items));
+  world.station_says(start_of(world, items));
+  const auto is_shown_before = [&] {
+    const bool is_dropped = std::ranges::count(world.shown_reached(), drop) > 0;
+    return !is_dropped && !world.shown_progress().empty() && world.shown_progress().back().current == drop + 1;
+  };
+  EXPECT_TRUE(world.run_until(is_shown_before, 600)) << world.story();
+  EXPECT_TRUE(world.run_until([&] { return std::ranges::count(world.shown_reached(), drop) == 1; }, 60));
+}
+
 class go_to_of_a_station : public testing::TestWithParam<sim::personality> {};
 
 // QGroundControl's Set Waypoint: the next item that there was flown instead, and it heard that all is well.

@@ -1,4 +1,4 @@
-// PX4, a multirotor, as versions 1.17 and 1.18 were seen to behave.
+// PX4, a multirotor or a VTOL, as versions 1.17 and 1.18 were seen to behave.
 //
 // It arms on MISSION_START, goes on at its old index with a plan that marks no item, does not activate a plan that it
 // holds already, repeats MISSION_ITEM_REACHED, and for a moment after the change of a plan may tell old news. After

@@ -137,8 +137,7 @@ void actor::started() {
   ask(
       others_->vehicle, command_patience, vehicle_link::get_connection{},
       [this](const vehicle_link::connection& m) {
-        then(core_->on_vehicle(vehicle_link::connection_changed{m.phase, m.reason}, now()));
-        then(core_->on_vehicle(m.line, now()));
+        then(core_->on_connection(m, now()));
       },
       [](const runtime::ask_error&) {}); // its next change is told
   ask_for_failsafe_status();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -37,6 +38,13 @@ effects core::on_client_back() {
 }
 
 // -- the vehicle ------------------------------------------------------------------------------------
+
+effects core::on_connection(const vehicle_link::connection& m, instant now) {
+  recovery_.on_heard_for(m.heard_for_ms, now);
+  auto out = on_vehicle(vehicle_link::connection_changed{m.phase, m.reason}, now);
+  std::ranges::move(on_vehicle(m.line, now), std::back_inserter(out));
+  return out;
+}
 
 effects core::on_vehicle(const vehicle_link::connection_changed& m, instant) {
   flight_.view.take(m);

@@ -81,6 +81,8 @@ public:
   [[nodiscard]] std::int64_t next_deadline_ns(instant now) const;
 
   // -- the vehicle
+  // How the line is as this incarnation begins; then each change of it.
+  [[nodiscard]] effects on_connection(const vehicle_link::connection& m, instant now);
   [[nodiscard]] effects on_vehicle(const vehicle_link::connection_changed& m, instant now);
   [[nodiscard]] effects on_vehicle(const vehicle_link::vehicle_restarted& m, instant now);
   [[nodiscard]] effects on_vehicle(const vehicle_link::foreign_act& m, instant now);

@@ -69,6 +69,7 @@ connection core::describe(instant now) const {
   result.connected = result.phase == connection_phase::connected;
   result.reason = result.connected ? std::string() : why_no_vehicle(now.monotonic_ns);
   result.last_heartbeat_age_ms = watch_.heartbeat_age_ms(now.monotonic_ns);
+  result.heard_for_ms = watch_.heard_for_ms(now.monotonic_ns);
   if (const auto& vehicle = watch_.vehicle()) {
     result.system = vehicle->system;
     result.autopilot = vehicle->autopilot;

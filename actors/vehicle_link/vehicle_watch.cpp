@@ -146,6 +146,8 @@ std::optional<connection_changed> vehicle_watch::on_heartbeat(const io::mavlink:
   }
   vehicle_ = known_vehicle{system, component, peer, beat.autopilot, beat.type};
   ++heartbeats_;
+  if (heartbeats_ == 1 || heard_for_ms(now_ns) < 0)
+    heard_since_ns_ = now_ns;
   last_heartbeat_ns_ = now_ns;
   return enter(connection_phase::connected, {});
 }
@@ -218,6 +220,11 @@ std::int64_t vehicle_watch::number_of(std::uint8_t sequence, std::int64_t now_ns
 
 std::int64_t vehicle_watch::heartbeat_age_ms(std::int64_t now_ns) const {
   return last_heartbeat_ns_ ? (now_ns - *last_heartbeat_ns_) / ns_per_ms : -1;
+}
+
+std::int64_t vehicle_watch::heard_for_ms(std::int64_t now_ns) const {
+  const bool is_silent = !last_heartbeat_ns_ || now_ns - *last_heartbeat_ns_ > silent_after_ns;
+  return is_silent ? -1 : (now_ns - heard_since_ns_) / ns_per_ms;
 }
 
 std::optional<std::int64_t> vehicle_watch::next_deadline_ns() const {

@@ -39,6 +39,9 @@ inline constexpr int frames_of_new_clock = 3;
 inline constexpr std::int64_t new_clock_ns = 1'000'000'000; // from the first of them to the last, at least
 inline constexpr std::int64_t late_within_ns = 1'500'000'000;
 
+// One heartbeat may be lost; in a longer gap somebody may take the vehicle and nobody notices.
+inline constexpr std::int64_t silent_after_ns = 2'500'000'000;
+
 // Heartbeats after which a vehicle is not let go any more.
 inline constexpr std::uint64_t kept_after = 10;
 
@@ -90,6 +93,7 @@ public:
   [[nodiscard]] connection_phase phase() const { return phase_; }
   [[nodiscard]] const std::string& reason() const { return reason_; }
   [[nodiscard]] std::int64_t heartbeat_age_ms(std::int64_t now_ns) const; // -1: none yet
+  [[nodiscard]] std::int64_t heard_for_ms(std::int64_t now_ns) const;     // connection::heard_for_ms
   [[nodiscard]] std::optional<std::int64_t> next_deadline_ns() const;
   [[nodiscard]] std::uint64_t restarts() const { return restarts_; }
   [[nodiscard]] std::uint64_t other_autopilots() const { return other_autopilots_; } // heartbeats of them
@@ -120,6 +124,7 @@ private:
   std::vector<other_autopilot> others_; // at most max_other_autopilots
   domain::confirmation_table candidates_;
   std::optional<std::int64_t> last_heartbeat_ns_;
+  std::int64_t heard_since_ns_ = 0; // with last_heartbeat_ns_
   // A clock that may be a new one.
   struct new_clock {
     std::uint32_t newest_ms = 0;

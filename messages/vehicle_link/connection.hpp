@@ -99,12 +99,13 @@ struct connection {
   std::optional<vehicle_name> kept = {};    // of the flight that is open: no other one is taken
   line_findings line = {};
   std::uint64_t other_programs = 0; // heartbeats under the vehicle's name that are no autopilot's: not taken
+  std::int64_t heard_for_ms = -1;   // without a gap in which somebody may have acted unnoticed; -1: in such a gap
   GODWIT_FIELDS(connection, "vehicle_link.connection", phase, connected, reason, last_heartbeat_age_ms, system,
                 autopilot, vehicle_type, tx_seq, rx_seq, signing_enabled, heartbeat_held_back, frames_in, frames_out,
                 sequence_gaps, parse_errors_total, parse_errors, kind_errors, signed_in, signing_rejected,
                 signing_errors, not_accepted, relayed_to_vehicle, relayed_to_stations, relays_dropped, dropped_in,
                 dropped_out, vehicle_restarts, late_heartbeats, other_autopilots, under_its_name, orders_kept_back,
-                reconnects, missing_streams, kept, line, other_programs);
+                reconnects, missing_streams, kept, line, other_programs, heard_for_ms);
 };
 
 // How a reason begins when frames come and are not believed.

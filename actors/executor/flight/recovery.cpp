@@ -19,6 +19,9 @@ using flight::mode_kind;
 namespace transfer = vehicle_link::transfer;
 
 constexpr std::int64_t read_again_after_ns = 2'000'000'000;
+// Longer than it takes to restart the executor, and a heartbeat more: what a person did before, the incarnation before
+// has heard.
+constexpr std::int64_t heard_throughout_ms = 2'500;
 
 bool was_prepared(phase now) { return now == phase::uploading || now == phase::ready || now == phase::starting; }
 
@@ -41,6 +44,10 @@ void recovery::begin(bool is_new_process) {
   const bool is_fresh = !s.doing && !flight_.is_in_flight() && !flight_.has_open_intent();
   has_looked_ =
       (is_fresh && (at == phase::disconnected || at == phase::connected || is_over(at))) || GODWIT_PLANTED(skip_look);
+}
+
+void recovery::on_heard_for(std::int64_t ms, instant now) {
+  heard_until_ns_ = ms >= heard_throughout_ms ? now.now_ns + flight::silence_ns : 0;
 }
 
 // -- the first look ---------------------------------------------------------------------------------
@@ -160,7 +167,8 @@ void recovery::find_in_flight(effects& out, const std::optional<task>& doing, in
     return find_called_home(out, now);
   const bool is_held = flight_.authority.is_ours() && flight_.view.obeys(mode_kind::hold);
   const bool was_to_go_on = is(task_kind::resume) || (is(task_kind::deploy) && doing->goes_on);
-  if (is_held && was_to_go_on && is_new_process_) {
+  // The hold may be a person's who came while nobody heard the vehicle.
+  if (is_held && was_to_go_on && (is_new_process_ || now.now_ns > heard_until_ns_)) {
     late_order_until_ns_ = now.now_ns + flight::order_is_expected_ns;
     flight_.authority.expect_also(flight::modes_of_start(flight_.view.owner()), now.now_ns, late_order_until_ns_);
     return phases_.go(out, trigger::found_held, "godwit was restarted while the vehicle was held; resume goes on");

@@ -24,6 +24,8 @@ public:
       : flight_(flight), phases_(phases), tasks_(tasks), watch_(watch) {}
 
   void begin(bool is_new_process);
+  // For so long the vehicle has been heard as this incarnation begins (vehicle_link::connection). Not told: not at all.
+  void on_heard_for(std::int64_t ms, instant now);
   [[nodiscard]] bool has_looked() const { return has_looked_; }
   // True: the rest waits for it.
   [[nodiscard]] bool look(effects& out, instant now);
@@ -68,6 +70,7 @@ private:
   task_control& tasks_;
   control_watch& watch_;
   bool is_new_process_ = false;
+  std::int64_t heard_until_ns_ = 0; // it was heard while nobody was here; seen by then, it was heard throughout
   std::int64_t late_order_until_ns_ = 0;
   bool has_looked_ = false; // at the vehicle, since this incarnation began
   question looking_ = question::none;

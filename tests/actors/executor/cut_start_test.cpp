@@ -209,6 +209,32 @@ TEST_P(cut_start, who_has_stopped_it_in_a_silence_in_which_a_replan_held_it_is_n
   EXPECT_EQ(world.orders(), orders) << world.story();
 }
 
+// A resume that was obeyed unheard; the next incarnation of the executor sees a hold as it was before the resume.
+TEST_P(cut_start, who_has_stopped_it_in_a_silence_in_which_the_executor_died_is_not_driven_on) {
+  for (const double died_s : {0.5, 7.5, 8.7}) { // before the person acts, and before the line is back
+    flight_world world(in_real_time());
+    fly_on_to_w2(world);
+    ASSERT_TRUE(world.say(command_kind::pause).is_taken) << world.sentence();
+    ASSERT_TRUE(world.run_until_phase(phase::paused, 10)) << world.story();
+    const auto before = world.orders();
+    ASSERT_TRUE(world.say(command_kind::resume).is_taken) << world.sentence();
+    ASSERT_TRUE(world.run_until([&] { return world.orders() > before; }, 5)) << world.story();
+    world.cut_line(9);
+    world.run_for(1);
+    if (died_s < 1)
+      world.crash();
+    world.run_for(2);
+    world.switch_mode(drill::hold_mode(GetParam()));
+    world.run_for(std::max(0.0, died_s - 3));
+    if (died_s > 1)
+      world.crash();
+    const auto orders = world.orders();
+    world.run_for(20);
+    EXPECT_EQ(world.orders(), orders) << died_s << "\n" << world.story();
+    EXPECT_EQ(world.durable().status.now, phase::paused) << died_s << "\n" << world.story();
+  }
+}
+
 // The vehicle is heard throughout, and nothing tells whose hold that is.
 TEST_P(cut_start, who_has_stopped_it_after_the_hold_of_a_replan_was_lost_is_not_driven_on) {
   for (const double after_s : {0.3, 0.9, 1.5, 3.0}) {

@@ -250,8 +250,7 @@ void flight_world::crash() {
   restore();
   end_core();
   core_ = std::make_unique<executor::core>(settings_, state_);
-  take(core_->on_vehicle(
-      vehicle_link::connection_changed{link_->describe(link_now()).phase, link_->describe(link_now()).reason}, now()));
+  take(core_->on_connection(link_->describe(link_now()), now()));
   begin_executor(false);
 }
 

@@ -53,7 +53,7 @@ async function film(page) {
     document.body.append(words);
   });
   for (let number = 0; !heard.includes("the flight is over"); number += 1) {
-    const lines = heard.split("\n").filter((line) => line.trim() !== "").slice(-4).join("\n");
+    const lines = heard.split("\n").filter((line) => line.trim() !== "").slice(-3).join("\n");
     await page.evaluate((text) => { document.querySelector("#words").textContent = text; }, lines);
     const name = `${String(number).padStart(4, "0")}.png`;
     writeFileSync(join(process.env.GODWIT_FILM, name), await page.screenshot());

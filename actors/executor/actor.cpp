@@ -136,9 +136,7 @@ void actor::started() {
   execute(core_->on_start(incarnation_number() == 1));
   ask(
       others_->vehicle, command_patience, vehicle_link::get_connection{},
-      [this](const vehicle_link::connection& m) {
-        then(core_->on_connection(m, now()));
-      },
+      [this](const vehicle_link::connection& m) { then(core_->on_connection(m, now())); },
       [](const runtime::ask_error&) {}); // its next change is told
   ask_for_failsafe_status();
   after_turn();

@@ -43,6 +43,7 @@ daemon::daemon_settings settings_for(const std::string& mission_id, const flight
   GODWIT_ASSERT(configuration.has_value(), "drill: the words are right");
   auto settings = daemon::settings_from(*configuration);
   GODWIT_ASSERT(settings.has_value(), "drill: the configuration can be used");
+  settings->pictures_folder.clear(); // the only one that would be of the real disk
   return *std::move(settings);
 }
 

@@ -57,10 +57,14 @@ struct ending_row {
 };
 
 constexpr std::array endings{
-    ending_row{".json", mission_format::json},           ending_row{".plan", mission_format::plan},
-    ending_row{".waypoints", mission_format::waypoints}, ending_row{".txt", mission_format::waypoints},
-    ending_row{".mission", mission_format::plan},        ending_row{".fen", mission_format::waypoints},
-    ending_row{".ral", mission_format::waypoints},       ending_row{".geojson", mission_format::geojson},
+    ending_row{".json", mission_format::json},
+    ending_row{".plan", mission_format::plan},
+    ending_row{".waypoints", mission_format::waypoints},
+    ending_row{".txt", mission_format::waypoints},
+    ending_row{".mission", mission_format::plan},
+    ending_row{".fen", mission_format::waypoints},
+    ending_row{".ral", mission_format::waypoints},
+    ending_row{".geojson", mission_format::geojson},
     ending_row{".kml", mission_format::kml},
 };
 

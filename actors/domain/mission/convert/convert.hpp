@@ -28,7 +28,8 @@ GODWIT_ENUM_NAMES(mission_format, json, plan, waypoints, geojson, kml);
 inline constexpr const char* known_endings =
     ".json (godwit), .plan (QGroundControl), .waypoints and .txt (QGC WPL 110), .geojson, .kml";
 
-// By the ending of a file's name, in any case: .json, .plan or .mission, .waypoints, .txt, .fen or .ral, .geojson, .kml.
+// By the ending of a file's name, in any case: .json, .plan or .mission, .waypoints, .txt, .fen or .ral, .geojson,
+// .kml.
 [[nodiscard]] std::optional<mission_format> format_of_name(std::string_view file_name);
 
 [[nodiscard]] import_result import_mission(std::string_view text, mission_format from,

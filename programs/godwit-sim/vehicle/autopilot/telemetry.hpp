@@ -23,7 +23,7 @@ struct condition {
   const flight_mode* mode = nullptr;
   const flight_mode* intended = nullptr; // by people; a failsafe of its own changes MODE alone
   bool is_armed = false;
-  bool has_position = true;    // from satellites
+  bool has_position = true; // from satellites
   bool is_booting = false;
   bool is_ready = true;        // has been up for as long as it needs before it flies
   bool has_estimate = true;    // its estimator knows where it is: some time after a start, and while it has a position

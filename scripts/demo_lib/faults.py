@@ -40,7 +40,7 @@ def reassign(watch, service, seconds):
         after = mission["items"][flight["items_done"]]["id"]
         tail = other_tail(mission, flight["items_done"], number)
         made = service.assign(after, tail)
-        watch.line.tell(f"fault: the service replaces all behind '{after}' by {len(tail)} other items")
+        watch.line.tell(f"fault: the service replaces all after '{after}' by {len(tail)} other items")
         answer = wait_for_answer(watch, service, made["assignment_id"])
         if answer[0] == "accepted":
             watch.wait_for(

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -14,6 +13,7 @@
 
 #include <unistd.h>
 
+#include "io/text.hpp"
 #include "programs/common/command.hpp"
 #include "programs/godwit-drill/flights/case_runner.hpp"
 #include "programs/godwit-drill/flights/cut_flight.hpp"
@@ -255,21 +255,16 @@ int say_end(const drill_book& book, const flight_list& flights, const flight_dri
   return static_cast<int>(exit_code::ok);
 }
 
-bool read_whole(std::string_view digits, std::uint64_t& to) {
-  const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), to);
-  return code == std::errc() && end == digits.data() + digits.size();
-}
-
 } // namespace
 
 std::optional<seed_range> seed_range_from(const std::string& text) {
   const auto dots = text.find("..");
   seed_range result;
   const std::string_view whole = text;
-  if (!read_whole(whole.substr(0, dots), result.first))
+  if (!io::read_number(whole.substr(0, dots), result.first))
     return std::nullopt;
   result.last = result.first;
-  if (dots != std::string::npos && !read_whole(whole.substr(dots + 2), result.last))
+  if (dots != std::string::npos && !io::read_number(whole.substr(dots + 2), result.last))
     return std::nullopt;
   if (result.last < result.first || result.last - result.first == UINT64_MAX)
     return std::nullopt;
@@ -280,8 +275,8 @@ std::optional<shard> shard_from(const std::string& text) {
   const auto slash = text.find('/');
   shard result;
   const std::string_view whole = text;
-  if (slash == std::string::npos || !read_whole(whole.substr(0, slash), result.number) ||
-      !read_whole(whole.substr(slash + 1), result.of) || result.number < 1 || result.number > result.of)
+  if (slash == std::string::npos || !io::read_number(whole.substr(0, slash), result.number) ||
+      !io::read_number(whole.substr(slash + 1), result.of) || result.number < 1 || result.number > result.of)
     return std::nullopt;
   return result;
 }

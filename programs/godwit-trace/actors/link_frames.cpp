@@ -1,12 +1,12 @@
 #include "programs/godwit-trace/actors/link_frames.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <set>
 #include <system_error>
 #include <tuple>
 #include <utility>
 
+#include "io/text.hpp"
 #include "io/time_units.hpp"
 #include "programs/godwit-trace/actors/text_forms.hpp"
 #include "programs/godwit-trace/message_forms.hpp"
@@ -17,11 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool read_number(std::string_view text, std::uint64_t& to) {
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), to);
-  return code == std::errc() && end == text.data() + text.size();
-}
-
 // LINK-RUN-NUMBER.tlog
 std::optional<link_file> link_file_named(const fs::path& path) {
   const auto name = path.stem().string();
@@ -29,8 +24,8 @@ std::optional<link_file> link_file_named(const fs::path& path) {
   const auto first = second == std::string::npos || second == 0 ? std::string::npos : name.rfind('-', second - 1);
   link_file result{path, name.substr(0, first), 0, 0};
   if (path.extension() != ".tlog" || first == std::string::npos || first == 0 ||
-      !read_number(std::string_view(name).substr(first + 1, second - first - 1), result.run) ||
-      !read_number(std::string_view(name).substr(second + 1), result.number))
+      !io::read_number(std::string_view(name).substr(first + 1, second - first - 1), result.run) ||
+      !io::read_number(std::string_view(name).substr(second + 1), result.number))
     return std::nullopt;
   return result;
 }

@@ -1,11 +1,11 @@
 #include "programs/godwitd/operator_port/camera_api.hpp"
 
-#include <charconv>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "io/http/server/response_head.hpp"
+#include "io/text.hpp"
 #include "io/time_units.hpp"
 
 namespace godwit::operator_port {
@@ -24,9 +24,7 @@ std::optional<std::uint64_t> read_after(std::string_view target) {
   if (!query.starts_with(name))
     return std::nullopt;
   std::uint64_t value = 0;
-  const auto* const end = query.data() + query.size();
-  const auto read = std::from_chars(query.data() + name.size(), end, value);
-  return read.ec == std::errc() && read.ptr == end ? std::optional(value) : std::nullopt;
+  return io::read_number(query.substr(name.size()), value) ? std::optional(value) : std::nullopt;
 }
 
 // N of /api/v1/points/N/picture.
@@ -35,8 +33,7 @@ std::optional<std::uint64_t> point_of(std::string_view target) {
   path = path.substr(0, path.rfind('/'));
   path = path.substr(path.rfind('/') + 1);
   std::uint64_t number = 0;
-  const auto read = std::from_chars(path.data(), path.data() + path.size(), number);
-  return read.ec == std::errc() && read.ptr == path.data() + path.size() ? std::optional(number) : std::nullopt;
+  return io::read_number(path, number) ? std::optional(number) : std::nullopt;
 }
 
 } // namespace

@@ -1,7 +1,6 @@
 #include "programs/godwitd/operator_port/request_body.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -22,12 +21,6 @@ using nlohmann::json;
 using operators::command_kind;
 
 constexpr std::uint64_t max_row = std::numeric_limits<std::int64_t>::max();
-
-template <class N>
-bool read_number(std::string_view text, N& to) {
-  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), to);
-  return failed == std::errc() && end == text.data() + text.size();
-}
 
 // As it stands in the body.
 struct command_body {
@@ -220,11 +213,11 @@ tl::expected<operator_bridge::audit_query, body_problem> read_audit_query(std::s
     const auto end = std::min(rest.find('&'), rest.size());
     const auto each = rest.substr(0, end);
     rest.remove_prefix(std::min(end + 1, rest.size()));
-    if (each.starts_with("rows=") && !std::exchange(has_rows, true) && read_number(each.substr(5), result.most) &&
+    if (each.starts_with("rows=") && !std::exchange(has_rows, true) && io::read_number(each.substr(5), result.most) &&
         result.most >= 1 && result.most <= operator_bridge::max_audit_page)
       continue;
-    if (each.starts_with("before=") && !std::exchange(has_before, true) && read_number(each.substr(7), result.before) &&
-        result.before <= max_row)
+    if (each.starts_with("before=") && !std::exchange(has_before, true) &&
+        io::read_number(each.substr(7), result.before) && result.before <= max_row)
       continue;
     return wrong("rows", "the query is rows=1 to rows=" + std::to_string(operator_bridge::max_audit_page) +
                              ", and before=N for rows with smaller numbers than N");

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
 #include "io/fields/json_text.hpp"
+#include "io/text.hpp"
 #include "programs/godwitd/operator_port/api_answers.hpp"
 
 namespace godwit::operator_port {
@@ -23,17 +23,10 @@ std::string_view take_until(std::string_view& text, char end) {
   return result;
 }
 
-template <class Number>
-bool read_query_number(std::string_view text, Number& value) {
-  const auto* const end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, value);
-  return read.ec == std::errc() && read.ptr == end;
-}
-
 bool read_part(std::string_view text, mapobjects_store::map_part& part) {
   std::array<double, 4> degrees{};
   for (auto& each : degrees)
-    if (!read_query_number(take_until(text, ','), each) || !std::isfinite(each))
+    if (!io::read_number(take_until(text, ','), each) || !std::isfinite(each))
       return false;
   part = {degrees[0], degrees[1], degrees[2], degrees[3]};
   const bool is_on_earth =
@@ -59,7 +52,7 @@ tl::expected<mapobjects_store::get_objects, std::string> read_objects_query(std:
     auto value = take_until(query, '&');
     const auto name = take_until(value, '=');
     const bool is_read = name == "bbox"    ? read_part(value, result.within)
-                         : name == "limit" ? read_query_number(value, result.limit) && result.limit > 0
+                         : name == "limit" ? io::read_number(value, result.limit) && result.limit > 0
                                            : false;
     if (!is_read)
       return tl::make_unexpected(std::string(query_rule));

@@ -1,12 +1,13 @@
 #include "programs/godwitd/sightings/point_pictures.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
 #include <iterator>
 #include <set>
 #include <string_view>
 #include <system_error>
+
+#include "io/text.hpp"
 
 namespace godwit::daemon {
 namespace {
@@ -19,12 +20,6 @@ std::string_view take_part(std::string_view& text) {
   const auto part = text.substr(0, text.find('_'));
   text.remove_prefix(std::min(text.size(), part.size() + 1));
   return part;
-}
-
-template <class Number>
-bool read_number(std::string_view text, Number& into) {
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), into);
-  return read.ec == std::errc() && read.ptr == text.data() + text.size();
 }
 
 } // namespace
@@ -41,7 +36,7 @@ std::optional<point_pictures::stored> point_pictures::read_name(const std::strin
   rest.remove_suffix(ending.size());
   stored result;
   const bool has_numbers =
-      read_number(take_part(rest), result.captured_ns) && read_number(take_part(rest), result.point);
+      io::read_number(take_part(rest), result.captured_ns) && io::read_number(take_part(rest), result.point);
   result.mission_id = take_part(rest);
   result.sighting_id = rest;
   return has_numbers && !result.sighting_id.empty() ? std::optional(result) : std::nullopt;

@@ -1,9 +1,10 @@
 #include "runtime/trace/reading/trace_files.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <system_error>
 #include <tuple>
+
+#include "io/text.hpp"
 
 namespace godwit::runtime {
 
@@ -14,11 +15,6 @@ namespace fs = std::filesystem;
 constexpr std::string_view extension = ".mcap";
 constexpr std::string_view folder_of_traces = "trace";
 
-bool read_number(std::string_view text, std::uint64_t& to) {
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), to);
-  return code == std::errc() && end == text.data() + text.size();
-}
-
 // PREFIX-RUN-NUMBER.mcap, as io/mcap/segment_folder.hpp names them.
 trace_file file_named(const fs::path& path) {
   trace_file result{path};
@@ -27,8 +23,9 @@ trace_file file_named(const fs::path& path) {
   const auto first = second == std::string::npos || second == 0 ? std::string::npos : name.rfind('-', second - 1);
   std::uint64_t run = 0;
   std::uint64_t number = 0;
-  if (first != std::string::npos && read_number(std::string_view(name).substr(first + 1, second - first - 1), run) &&
-      read_number(std::string_view(name).substr(second + 1), number)) {
+  if (first != std::string::npos &&
+      io::read_number(std::string_view(name).substr(first + 1, second - first - 1), run) &&
+      io::read_number(std::string_view(name).substr(second + 1), number)) {
     result.run = run;
     result.number = number;
   }

@@ -8,56 +8,27 @@
 #include "io/mavlink/enums.hpp"
 #include "io/mavlink/messages.hpp"
 #include "programs/godwit-sim/vehicle/autopilot/mode_table.hpp"
+#include "programs/godwit-sim/vehicle/autopilot/traits.hpp"
 #include "programs/godwit-sim/vehicle/personality.hpp"
 
 namespace godwit::drill {
 
-[[nodiscard]] inline sim::mode_table modes_of(sim::personality who) {
-  switch (who) {
-  case sim::personality::rover:
-    return sim::rover_modes();
-  case sim::personality::px4:
-  case sim::personality::px4_vtol:
-    return sim::px4_modes();
-  case sim::personality::ardupilot:
-    return sim::copter_modes();
-  case sim::personality::plane:
-    return sim::plane_modes();
-  case sim::personality::quadplane:
-    return sim::quadplane_modes();
-  case sim::personality::ardurover:
-    return sim::ardurover_modes();
-  }
-  return {};
-}
+[[nodiscard]] inline sim::mode_table modes_of(sim::personality who) { return sim::traits_of(who).modes; }
 
 // Whose modes they are.
 [[nodiscard]] inline flight::mode_owner owner_of(sim::personality who) {
-  using flight::vehicle_class;
-  using io::mavlink::mav_autopilot;
-  switch (who) {
-  case sim::personality::px4:
-    return {mav_autopilot::px4, vehicle_class::multirotor};
-  case sim::personality::px4_vtol:
-    return {mav_autopilot::px4, vehicle_class::fixed_wing};
-  case sim::personality::ardupilot:
-    return {mav_autopilot::ardupilotmega, vehicle_class::multirotor};
-  case sim::personality::plane:
-    return {mav_autopilot::ardupilotmega, vehicle_class::fixed_wing};
-  case sim::personality::quadplane:
-    return {mav_autopilot::ardupilotmega, vehicle_class::fixed_wing};
-  case sim::personality::ardurover:
-    return {mav_autopilot::ardupilotmega, vehicle_class::rover};
-  case sim::personality::rover:
-    break;
-  }
-  return {mav_autopilot::generic, vehicle_class::rover};
+  io::mavlink::heartbeat beat;
+  beat.autopilot = io::mavlink::number(sim::traits_of(who).autopilot);
+  beat.type = io::mavlink::number(sim::traits_of(who).type);
+  return flight::owner_of(beat);
+}
+
+[[nodiscard]] inline bool is_px4(sim::personality who) {
+  return sim::traits_of(who).autopilot == io::mavlink::mav_autopilot::px4;
 }
 
 // In which a pilot flies, or drives, by hand: PX4's position control, STABILIZE of a copter, MANUAL of the others.
-[[nodiscard]] inline std::uint32_t pilot_mode(sim::personality who) {
-  return who == sim::personality::px4 ? 0x0003'0000 : 0;
-}
+[[nodiscard]] inline std::uint32_t pilot_mode(sim::personality who) { return is_px4(who) ? 0x0003'0000 : 0; }
 
 // In which it stays where it is: also what a pilot takes for that.
 [[nodiscard]] inline std::uint32_t hold_mode(sim::personality who) {
@@ -66,9 +37,7 @@ namespace godwit::drill {
 }
 
 // Of PX4 and a copter.
-[[nodiscard]] inline std::uint32_t landing_mode(sim::personality who) {
-  return who == sim::personality::px4 ? 0x0604'0000 : 9;
-}
+[[nodiscard]] inline std::uint32_t landing_mode(sim::personality who) { return is_px4(who) ? 0x0604'0000 : 9; }
 
 [[nodiscard]] inline std::uint32_t mission_mode(sim::personality who) {
   constexpr std::array modes{10U, 0x0404'0000U, 3U, 10U, 10U, 10U, 0x0404'0000U}; // by personality

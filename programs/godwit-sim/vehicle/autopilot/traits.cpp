@@ -34,13 +34,16 @@ traits rover_traits() {
   return t;
 }
 
+// Of 1.17: armed by a start, "Takeoff detected" 1.74 to 1.83 s later.
+constexpr double px4_spool_up_s = 1.8;
+
 traits px4_traits() {
   traits t;
   t.type = mavlink::mav_type::quadrotor;
   t.autopilot = mavlink::mav_autopilot::px4;
   t.body = multirotor_craft();
   t.boots_ns = 3 * ns_per_s; // UNINIT
-  t.body.spool_up_s = 1.8;   // of 1.17: armed by a start, "Takeoff detected" 1.74 to 1.83 s later
+  t.body.spool_up_s = px4_spool_up_s;
   t.modes = px4_modes();
   t.first_mode = px4_mode(4, 3); // AUTO.LOITER
   t.plan_profile = plans::px4_profile();
@@ -146,7 +149,7 @@ traits px4_vtol_traits() {
   t.type = mavlink::mav_type::vtol_fixedrotor;
   t.body = vtol_craft();
   t.body.lands_on_return = true;
-  t.body.spool_up_s = 1.8;
+  t.body.spool_up_s = px4_spool_up_s;
   t.plan_profile.profile = mission::vehicle_profile::px4_vtol;
   return t;
 }

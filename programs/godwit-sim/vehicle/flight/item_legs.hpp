@@ -14,7 +14,7 @@
 // | continue and change altitude | skipped | straight on and up | skipped |
 // | payload place | there, and on | the same | the same |
 //
-// A multirotor on the ground takes off first, to the altitude of the item; a fixed wing stays on the ground. Thread:
+// A multirotor on the ground takes off first, to the altitude of the item; a fixed wing stays on the ground.
 // A VTOL is in between what its mission wants it to be and what it is: it changes before it goes to the place. A
 // take-off is on its rotors but for a quadplane's NAV_TAKEOFF. Thread: pure. Source: recordings of PX4's standard VTOL
 // (1.18) and a quadplane (ArduPlane 4.7), which changed 93 m before the place of its landing; MAV_CMD of MAVLink's

@@ -270,10 +270,6 @@ std::optional<std::string> execute_command(const mission_item_int& command, cons
     return std::nullopt;
   }
   case do_jump:
-  case do_vtol_transition:
-    if (!what.has_rotors)
-      break;
-    [[fallthrough]];
   case do_land_start:
   case condition_delay:
   case condition_distance:

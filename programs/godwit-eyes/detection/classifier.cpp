@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ctime>
 #include <exception>
 #include <string_view>
 #include <utility>
@@ -12,6 +11,8 @@
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/dnn.hpp>
 #include <opencv2/imgproc.hpp>
+
+#include "programs/godwit-eyes/detection/thread_time.hpp"
 
 namespace godwit::eyes {
 
@@ -41,12 +42,6 @@ object_class class_of(int coco) {
   if (coco == boat)
     return object_class::boat;
   return coco >= bird && coco <= giraffe ? object_class::animal : object_class::unknown;
-}
-
-double thread_ms() {
-  timespec now{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
 }
 
 // Of Darknet's weights, which do not say how many they are: with too few the rest would be chance.

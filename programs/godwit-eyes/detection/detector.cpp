@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <deque>
 #include <numbers>
 
@@ -19,6 +18,7 @@
 #include "programs/godwit-eyes/detection/own_motion.hpp"
 #include "programs/godwit-eyes/detection/parallax.hpp"
 #include "programs/godwit-eyes/detection/picture_check.hpp"
+#include "programs/godwit-eyes/detection/thread_time.hpp"
 #include "programs/godwit-eyes/detection/tracker.hpp"
 #include "programs/godwit-eyes/ground/sight.hpp"
 #include "runtime/assert.hpp"
@@ -32,12 +32,6 @@ constexpr double least_change = 8; // grey levels
 constexpr double free_gain = 1.5;  // up to which a brighter picture has no more noise to speak of
 constexpr double longest_gap_s = 0.5;
 constexpr int most_coasting = 3; // a track that was not seen for longer is not said
-
-std::int64_t thread_microseconds() {
-  timespec now{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return now.tv_sec * 1'000'000 + now.tv_nsec / 1000;
-}
 
 // From reduced pixels to those of the picture: the middle of a block of REDUCTION pixels.
 cv::Matx33d scaled_up(const cv::Matx33d& way, int reduction) {
@@ -73,8 +67,7 @@ struct detector::parts {
       : settings(given), tracks({given.frames_to_confirm, static_cast<std::size_t>(given.max_tracks)}) {
     if (asked)
       questions.emplace(
-          [asked](const frame_view& picture, const pixel_box& about) { return asked->ask(picture, about); },
-          [] { return static_cast<double>(thread_microseconds()) * 1e-3; });
+          [asked](const frame_view& picture, const pixel_box& about) { return asked->ask(picture, about); }, thread_ms);
   }
 
   void begin_anew();
@@ -374,9 +367,9 @@ detector::detector(const detector_settings& settings, const std::shared_ptr<clas
 detector::~detector() = default;
 
 verdict detector::look(const frame_view& frame, const std::optional<camera_pose>& pose) {
-  const std::int64_t begin = thread_microseconds();
+  const std::int64_t begin = thread_ns();
   verdict said = parts_->look(frame, pose);
-  said.figures.microseconds = thread_microseconds() - begin;
+  said.figures.microseconds = (thread_ns() - begin) / 1'000;
   return said;
 }
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <numbers>
 #include <optional>
@@ -13,6 +12,7 @@
 #include <Eigen/LU>
 
 #include "programs/godwit-eyes/detection/detector.hpp"
+#include "programs/godwit-eyes/detection/thread_time.hpp"
 #include "programs/godwit-eyes/ground/sight.hpp"
 #include "programs/godwit-eyes/look/drawing.hpp"
 #include "programs/godwit-eyes/look/look_files.hpp"
@@ -30,12 +30,6 @@ using sim::camera::suite_case;
 constexpr int not_scored = 30;
 constexpr int drawn_every = 15;
 constexpr sim::camera::vector3 attitude_error{0.010, -0.008, 0.006};
-
-double thread_ms() {
-  timespec now{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
-}
 
 void add_scores(const sim::camera::truth& real, const std::vector<pixel_box>& boxes, score_rules rules, score& half,
                 score& quarter) {

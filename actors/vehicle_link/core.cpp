@@ -17,9 +17,10 @@ namespace {
 
 // 0 and 0: it does not say.
 std::optional<mission::vertex> place_of(std::int32_t latitude, std::int32_t longitude) {
-  constexpr double units = io::mavlink::units_of(io::mavlink::coordinate_kind::global);
-  return latitude == 0 && longitude == 0 ? std::nullopt
-                                         : std::optional(mission::vertex{latitude / units, longitude / units});
+  using io::mavlink::units_a_degree;
+  return latitude == 0 && longitude == 0
+             ? std::nullopt
+             : std::optional(mission::vertex{latitude / units_a_degree, longitude / units_a_degree});
 }
 
 // Before a vehicle is known: nearly every vehicle is system 1, and a heartbeat has to come from somewhere.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "actors/domain/control_authority/control_authority.hpp"
 #include "io/mavlink/enums.hpp"
 #include "io/time_units.hpp"
 
@@ -223,7 +224,7 @@ std::int64_t vehicle_watch::heartbeat_age_ms(std::int64_t now_ns) const {
 }
 
 std::int64_t vehicle_watch::heard_for_ms(std::int64_t now_ns) const {
-  const bool is_silent = !last_heartbeat_ns_ || now_ns - *last_heartbeat_ns_ > silent_after_ns;
+  const bool is_silent = !last_heartbeat_ns_ || now_ns - *last_heartbeat_ns_ > flight::silence_ns;
   return is_silent ? -1 : (now_ns - heard_since_ns_) / ns_per_ms;
 }
 

@@ -39,9 +39,6 @@ inline constexpr int frames_of_new_clock = 3;
 inline constexpr std::int64_t new_clock_ns = 1'000'000'000; // from the first of them to the last, at least
 inline constexpr std::int64_t late_within_ns = 1'500'000'000;
 
-// One heartbeat may be lost; in a longer gap somebody may take the vehicle and nobody notices.
-inline constexpr std::int64_t silent_after_ns = 2'500'000'000;
-
 // Heartbeats after which a vehicle is not let go any more.
 inline constexpr std::uint64_t kept_after = 10;
 

@@ -88,7 +88,7 @@ struct replace_tail {
 };
 
 // What the camera has shown of what OBSERVATION_ID is about: a JPEG in FILE of the folder of pictures, whose name it
-// is. It is delivered after the flight, to a service that takes pictures. Said again, it changes nothing.
+// is. It is delivered after the flight, to a service that takes pictures. Repeated, it changes nothing.
 struct deliver_picture {
   std::string mission_id;
   std::string observation_id;

@@ -60,8 +60,7 @@ void deliveries::plan(planning_context& d) {
       static_cast<void>(is_too_late(d, each));
   plan_batches(d, known);
   std::erase_if(lanes_, [&](const auto& each) { return each.second.waiting == 0 && !known.contains(each.first); });
-  for (const auto to : {destination::progress, destination::assignment_response, destination::waypoint,
-                        destination::tail, destination::observations, destination::ignored_items, destination::picture})
+  for (const auto& [to, name] : io::enum_table<destination>)
     if (std::ranges::none_of(lanes_, [&](const auto& each) { return each.first.first == to; }))
       d.went_well(kind_of(to));
 }

@@ -27,10 +27,10 @@ vehicle_link::send_command command_of(const io::mavlink::mission_item_int& item)
 } // namespace
 
 bool lost_state::may_set(instant now) const {
-  const auto& flight = flight_;
-  return !flight.has_person() && !flight.runner.is_busy() && flight.view.is_connected() && flight.view.is_armed() &&
-         flight.view.is_in(flight::mode_kind::mission) &&
-         may_send({.kind = order_kind::neutral}, flight.authority, flight.evidence, now.now_ns) == permission::may;
+  const auto& view = flight_.view;
+  return !flight_.has_person() && !flight_.runner.is_busy() && view.is_connected() && view.is_armed() &&
+         view.is_in(flight::mode_kind::mission) &&
+         may_send({.kind = order_kind::neutral}, flight_.authority, flight_.evidence, now.now_ns) == permission::may;
 }
 
 void lost_state::look(effects& out, instant now) {

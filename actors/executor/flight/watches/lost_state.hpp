@@ -3,7 +3,7 @@
 //
 //   paused ──flies on──> owed (durable) ──in its mission mode, godwit has it──> each in turn ──> nothing is owed
 //
-// The commands move nothing by themselves. One that is lost is sent max_tries times; one that is refused is told of,
+// The commands move nothing by themselves. One that is lost is sent max_tries times; one that is refused is reported,
 // and the next comes. A crash in between sends all of them once more: they say what the plan says. The end of the
 // flight ends what is owed. PX4 commands these by itself as it goes on. Pure. Thread: one at a time. Source:
 // ArduCopter 4.7 (mode_auto.cpp, init and exit), seen in flight; PX4's MissionBase::replayCachedGimbalCameraModeItems.

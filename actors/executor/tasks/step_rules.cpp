@@ -50,6 +50,11 @@ struct rules_of;
 
 bool flies_mission(const step_context& c) { return c.view.is_armed() && c.view.is_in(mode_kind::mission); }
 
+// Somebody has stopped its motors, or its flight is about to end: the plan of a flight has nothing to do there.
+std::string why_not_in_flight(const step_context& c) {
+  return c.durable.status.in_flight && !c.view.is_armed() ? is_disarmed : "";
+}
+
 bool is_answered(const step_context& c) { return c.attempts.tries > 0 && c.attempts.was_accepted; }
 
 request mode_request(const step_context& c, mode_kind to) {
@@ -171,6 +176,7 @@ template <>
 struct rules_of<upload_plan> : any_step {
   static constexpr step_intent intent = step_intent::upload;
   static std::string description(const upload_plan&) { return "to take the plan"; }
+  static std::string why_not_now(const upload_plan&, const step_context& c) { return why_not_in_flight(c); }
   static step_effect effect(const upload_plan&, const step_context& c) { // PX4 flies it at once
     return flies_mission(c) && c.durable.status.in_flight ? step_effect::moves : step_effect::neutral;
   }
@@ -183,6 +189,7 @@ struct rules_of<set_current_item> : any_step {
   static std::string description(const set_current_item& what) {
     return "to go to item " + std::to_string(what.sequence);
   }
+  static std::string why_not_now(const set_current_item&, const step_context& c) { return why_not_in_flight(c); }
   static step_effect effect(const set_current_item&, const step_context& c) { // else it only says where to go on
     return flies_mission(c) ? step_effect::flies_plan : step_effect::neutral;
   }

@@ -154,7 +154,7 @@ void task_runner::begin_step(const world& w) {
   if (is_done(w))
     return succeed(w);
   if (const auto why = why_not_now(way_[at_], context(w)); !why.empty())
-    return fail(why);
+    return fail_unsent(w, why);
   if (has_stalled())
     return fail_unsent(
         w, "godwit stood still, or did not hear the vehicle, for more than a second; a person has to repeat the "

@@ -141,6 +141,16 @@ TEST(step_begin, a_disarmed_vehicle_is_neither_started_nor_sent_on) {
   EXPECT_EQ(refused(scene(), task_kind::resume), expected);
 }
 
+TEST(step_begin, a_vehicle_disarmed_in_its_flight_gets_no_plan_and_no_item) {
+  scene where;
+  for (const bool in_flight : {false, true}) {
+    where.durable.status.in_flight = in_flight;
+    const auto c = where.as(task_kind::deploy);
+    EXPECT_EQ(!why_not_now(upload_plan{}, c).empty(), in_flight);
+    EXPECT_EQ(!why_not_now(any_item, c).empty(), in_flight);
+  }
+}
+
 // -- what is sent -----------------------------------------------------------------------------------
 
 std::uint16_t command_of(const step& what, const step_context& c) {

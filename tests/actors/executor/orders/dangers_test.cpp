@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "io/mavlink/enums.hpp"
+#include "io/mavlink/messages/mission_transfer.hpp"
 #include "tests/actors/executor/flight_checks.hpp"
 #include "tests/actors/executor/flight_world.hpp"
 #include "tests/support/vehicle_modes.hpp"
@@ -166,6 +167,35 @@ TEST_P(danger, a_vehicle_that_a_person_disarms_in_its_flight_is_not_sent_into_it
     EXPECT_TRUE(never) << seconds << " s\n" << world.story();
   }
   EXPECT_GT(tried, 0);
+}
+
+// The plan that is brought to it is lost on its way, and would be brought once more.
+TEST_P(danger, a_vehicle_that_a_person_disarms_in_its_flight_gets_no_further_plan_or_item) {
+  for (const double seconds : {0.2, 2.0, 6.0, 12.0}) {
+    auto wanted = settings();
+    wanted.start = start_policy::automatic;
+    flight_world world(wanted);
+    ASSERT_TRUE(tests::fly_to(world, tests::short_mission(who()), progress_kind::started, "w2"));
+    world.lose_message(io::mavlink::mission_ack::message_id);
+    mission::assignment assignment;
+    assignment.assignment_id = "11111111-2222-4333-8444-100000000001";
+    assignment.base_revision = 1;
+    assignment.revision = 2;
+    assignment.replace_after_item_id = "w2";
+    assignment.items = {tests::place(who(), "z", -20, 20)};
+    world.assign(assignment);
+    ASSERT_TRUE(world.run_until([&] { return world.is_uploading(); }, 30)) << world.story();
+    world.run_for(seconds);
+    world.disarm_by_hand();
+    world.run_for(1.3); // a heartbeat shows it
+    const auto orders = world.orders();
+    world.run_for(20);
+    world.lose_message(0);
+    world.run_for(60);
+    EXPECT_EQ(world.orders(), orders) << seconds << " s\n" << world.story();
+    EXPECT_FALSE(world.durable().progress.upload) << seconds << " s: nothing would be resumed\n" << world.story();
+    EXPECT_FALSE(world.durable().progress.start) << seconds << " s\n" << world.story();
+  }
 }
 
 // The vehicle stands disarmed with its plan, and would be started by itself. A person has changed its mode, in the

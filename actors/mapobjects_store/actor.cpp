@@ -74,7 +74,10 @@ actor::behavior_type actor::handlers() {
           on_change<acknowledge_fallback, map_answer>(accept_fallback, nothing_to_fill),
           on_change<choose_mission, map_answer>(choose, nothing_to_fill),
           on_change<begin_load, load_answer>(mapobjects_store::begin,
-                                             [](load_answer& answer, std::int64_t number) { answer.load = number; }),
+                                             [](load_answer& answer, const begun_load& begun) {
+                                               answer.load = begun.number;
+                                               answer.mark = begun.mark;
+                                             }),
           on_ask<load_page, load_answer, void>(
               [](map_access& map, const load_page& page, const auto& told) { return map.add_page(page, told); },
               nothing_to_fill),

@@ -83,6 +83,9 @@ CREATE TABLE orphaned_ignored_item(
 CREATE INDEX orphaned_ignored_item_batch ON orphaned_ignored_item(batch);
 )";
 
+// Of what was pulled, as the service names it: later only what has changed since is asked for.
+constexpr const char* with_mark = "ALTER TABLE map ADD COLUMN pulled_mark TEXT NOT NULL DEFAULT ''";
+
 } // namespace
 
 // The cache holds the inner pages of a million objects and some leaves. Deleted rows need not be overwritten: nothing
@@ -93,7 +96,7 @@ const io::sqlite::store_format& map_format() {
                .when_corrupt = "Move it away together with its -wal file (the sqlite3 shell's .recover may save what "
                                "was not delivered); the map itself is pulled again"},
       .application_id = map_application_id,
-      .migrations = {first_version},
+      .migrations = {first_version, with_mark},
       // Of the two the higher one: a later version may keep it where other files of godwit have it.
       .read_version = "SELECT max(version, (SELECT user_version FROM pragma_user_version)) FROM schema_version",
       .set_version = "UPDATE schema_version SET version = ",

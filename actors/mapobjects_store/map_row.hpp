@@ -138,6 +138,7 @@ struct map_row {
   std::int64_t pulled_observation = 0; // numbers up to these are contained in the load
   std::int64_t pulled_ignored_item = 0;
   std::int64_t last_generation = 0; // highest number ever used for a load
+  std::string pulled_mark;          // of the last load, as the service names it; empty = it did not
 
   [[nodiscard]] bool has_copy() const { return !pulled_mission_id.empty() && pulled_mission_id == mission_id; }
   // No row has the generation -1.

@@ -52,7 +52,8 @@ struct load_progress {
   std::int64_t next_page = 0;
   std::int64_t first_object = 1; // number of its first row; the others follow without a gap
   std::vector<loaded_place> objects;
-  std::int64_t ignored_items = 0; // that have come
+  std::vector<ids::uuid_bits> removed; // of the copy from before
+  std::int64_t ignored_items = 0;      // that have come
 
   void give_up() { *this = {}; }
 };

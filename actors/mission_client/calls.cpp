@@ -55,11 +55,14 @@ service_call get_assignments(const settings& by, const std::string& mission_id, 
               mission::max_mission_bytes);
 }
 
-service_call get_page(const settings& by, const std::string& mission_id, destination what, const std::string& next) {
+service_call get_page(const settings& by, const std::string& mission_id, destination what, const std::string& next,
+                      const std::optional<std::string>& since) {
   auto target = path_of(mission_id) + (what == destination::observations ? "/mapobjects" : "/mapobjects/ignored") +
                 "?limit=" + std::to_string(by.page_limit);
   if (!next.empty())
     target += "&next=" + percent_encoded(next);
+  if (since)
+    target += "&since=" + percent_encoded(*since);
   auto result = get(by, std::move(target), mission::max_page_bytes);
   result.is_page = true;
   return result;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,9 +23,10 @@ inline constexpr std::size_t reports_per_call = 100;
 [[nodiscard]] service_call get_next(const settings& by, const std::string& vehicle_id);
 // The long poll.
 [[nodiscard]] service_call get_assignments(const settings& by, const std::string& mission_id, std::int32_t after);
-// NEXT is what the last page said; empty: the first.
+// NEXT is what the last page said; empty: the first. SINCE: the mark of the copy that is here, empty where it has none;
+// nothing: the service knows no marks.
 [[nodiscard]] service_call get_page(const settings& by, const std::string& mission_id, destination what,
-                                    const std::string& next);
+                                    const std::string& next, const std::optional<std::string>& since = {});
 
 // ROWS are one cut of a progress lane; the key follows from theirs.
 [[nodiscard]] service_call post_progress(const settings& by, const std::vector<const outbox_row*>& rows);

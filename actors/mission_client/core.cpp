@@ -91,8 +91,7 @@ void take(decision_context& t, const fetch_failed& m) {
 
 void take(decision_context& t, const pull_map& m) {
   auto& s = t.s;
-  const bool has_failed = s.pull == pull_state::failed || s.pull == pull_state::cached_fallback;
-  if (s.now != phase::ready || s.mission_id != m.mission_id || !has_failed)
+  if (s.now != phase::ready || s.mission_id != m.mission_id || s.pull == pull_state::in_flight)
     return;
   s.now = phase::pulling;
   s.pull = pull_state::in_flight;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "actors/domain/mission/read.hpp"
+#include "actors/domain/mission/version.hpp"
 #include "actors/mission_client/calls.hpp"
 #include "actors/mission_client/judgement.hpp"
 #include "actors/mission_client/outbox/map_rows.hpp"
@@ -37,12 +38,18 @@ void pulling::plan_loading(planning_context& d) {
   if (!waiting_.empty() && attempt_.may_start(d))
     attempt_.waiting = d.ask(*this, waiting_.front());
   if (!is_last_here_ && waiting_.size() < max_pages_ahead && call_.may_start(d))
-    call_.waiting = d.call(*this, get_page(d.set, mission_id_, what_, next_));
+    call_.waiting = d.call(*this, get_page(d.set, mission_id_, what_, next_, since(d)));
   const bool has_room = waiting_.size() + 1 < max_pages_ahead; // for this one and the one before it
   if (call_.waiting != 0 && !ahead_.next.empty() && !ahead_.is_asked && has_room) {
     ahead_.is_asked = true;
-    ahead_.call.waiting = d.call(*this, get_page(d.set, mission_id_, what_, ahead_.next));
+    ahead_.call.waiting = d.call(*this, get_page(d.set, mission_id_, what_, ahead_.next, since(d)));
   }
+}
+
+// Of the objects alone: what is ignored is little.
+std::optional<std::string> pulling::since(const planning_context& d) const {
+  const bool asks = what_ == destination::observations && mission::gives_marks(d.s.schema_version);
+  return asks ? std::optional(mark_before_) : std::nullopt;
 }
 
 store_question pulling::question(const planning_context& d) const {
@@ -52,7 +59,7 @@ store_question pulling::question(const planning_context& d) const {
   case stage::beginning:
     return store::begin_load{mission_id_};
   case stage::finishing:
-    return store::finish_load{load_, objects_, ignored_, d.now.wall_ns};
+    return store::finish_load{load_, objects_, ignored_, d.now.wall_ns, is_change_.value_or(false), mark_};
   case stage::failing:
     return store::pull_failed{mission_id_};
   default:
@@ -75,7 +82,7 @@ void pulling::on_answer(planning_context& d, ticket number, const service_answer
   d.went_wrong(pull_kind, why);
   if (verdict == judgement::gone)
     return d.happened(mission_gone{mission_id_});
-  if (verdict == judgement::wrong && answer.status == 400 && !next_.empty())
+  if (verdict == judgement::wrong && answer.status == 400 && (!next_.empty() || !mark_before_.empty()))
     return begin_anew(d, why);
   if (verdict != judgement::transient)
     return give_up(d, std::move(why));
@@ -85,8 +92,8 @@ void pulling::on_answer(planning_context& d, ticket number, const service_answer
 }
 
 tl::expected<store::load_page, std::string> pulling::page_in(const service_answer& answer,
-                                                             std::optional<std::string>& next) const {
-  store::load_page result{load_, pages_, {}, {}};
+                                                             std::optional<std::string>& next) {
+  store::load_page result{load_, pages_, {}, {}, {}};
   const auto read_as = [&]<class Page>(std::type_identity<Page>, auto rows_of,
                                        auto& into) -> tl::expected<void, std::string> {
     const auto page = mission::read<Page>(answer.body);
@@ -97,6 +104,10 @@ tl::expected<store::load_page, std::string> pulling::page_in(const service_answe
       return tl::unexpected(with_sample(rows.error(), answer.body.substr(0, mission::max_document_sample)));
     into = std::move(*rows);
     next = page->next;
+    if constexpr (std::is_same_v<Page, mission::map_object_page>) {
+      result.removed = page->removed.value_or(std::vector<std::string>{});
+      return take_mark(*page);
+    }
     return {};
   };
   const auto read =
@@ -108,6 +119,17 @@ tl::expected<store::load_page, std::string> pulling::page_in(const service_answe
   if (!read)
     return tl::unexpected(read.error());
   return result;
+}
+
+tl::expected<void, std::string> pulling::take_mark(const mission::map_object_page& page) {
+  if (page.since && (mark_before_.empty() || *page.since != mark_before_))
+    return tl::unexpected(std::string("the service sent what has changed since a mark that it was not asked for"));
+  if (is_change_.value_or(page.since.has_value()) != page.since.has_value())
+    return tl::unexpected(std::string("some pages of the service have the whole map, others what has changed in it"));
+  is_change_ = page.since.has_value();
+  if (page.mark)
+    mark_ = *page.mark;
+  return {};
 }
 
 std::string pulling::passed_bound() const {
@@ -127,7 +149,8 @@ void pulling::take_page(planning_context& d, const service_answer& answer) {
   auto page = page_in(answer, next);
   bytes_ += answer.body.size();
   if (page)
-    empty_pages_ = page->objects.empty() && page->ignored.empty() && next ? empty_pages_ + 1 : 0;
+    empty_pages_ =
+        page->objects.empty() && page->ignored.empty() && page->removed.empty() && next ? empty_pages_ + 1 : 0;
   const auto bound = page ? passed_bound() : "";
   if (!page || !bound.empty()) {
     d.count_fetch_error();
@@ -188,18 +211,30 @@ void pulling::on_store(planning_context& d, ticket number, const store_answer& a
       return;
     [[fallthrough]];
   default:
+    if (stage_ == stage::counting) // the map is there
+      return end(d, pull_state::synced);
     if (stage_ == stage::failing || stage_ == stage::looking)
       return end(d, pull_state::failed);
     return give_up(d, sentence_of(answer));
   }
   if (const auto* begun = std::get_if<store::load_answer>(&answer); begun != nullptr && stage_ == stage::beginning)
-    load_ = begun->load;
+    take_load(*begun);
+  if (const auto* map = std::get_if<store::map_status>(&answer); map != nullptr && stage_ == stage::counting) {
+    objects_ = static_cast<std::int64_t>(map->objects);
+    return end(d, pull_state::synced);
+  }
   if (const auto* map = std::get_if<store::map_status>(&answer); map != nullptr && stage_ == stage::looking) {
     const bool has_copy = map->mission_id == mission_id_ &&
                           (map->sync == store::sync_state::degraded || map->sync == store::sync_state::cached_fallback);
     return end(d, has_copy ? pull_state::cached_fallback : pull_state::failed);
   }
   go_on(d);
+}
+
+// What begins anew asks for all of the map.
+void pulling::take_load(const store::load_answer& begun) {
+  load_ = begun.load;
+  mark_before_ = loads_ == 0 ? begun.mark : std::string();
 }
 
 void pulling::go_on(planning_context& d) {
@@ -212,11 +247,15 @@ void pulling::go_on(planning_context& d) {
     pages_ = objects_ = ignored_ = 0;
     bytes_ = 0;
     empty_pages_ = 0;
+    mark_.clear();
+    is_change_.reset();
     is_last_here_ = false;
     return go_to(stage::loading);
   case stage::loading:
     waiting_.pop_front();
     return go_to(waiting_.empty() && is_last_here_ ? stage::finishing : stage::loading);
+  case stage::finishing: // of changes the store knows how many objects that makes
+    return is_change_.value_or(false) ? go_to(stage::counting) : end(d, pull_state::synced);
   case stage::failing:
     return go_to(stage::looking);
   default:

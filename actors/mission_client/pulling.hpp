@@ -5,6 +5,9 @@
 //                              └── a `next` that is not known any more, or a load that was given up (a few times)
 //   failed: the store is told, and says whether it has a copy from before
 //
+// A service that gives marks is asked for what has changed since that of the copy from before. It may answer with all
+// of the map; then the load replaces the copy.
+//
 // The load begins before the first page is asked for: what is delivered in between may be missing in the pages, and
 // the store has to know. The next page is asked for as soon as its place is known: from the head of the one that still
 // comes, where the service names it there, else from its body. Earlier ones go into the store meanwhile; at most
@@ -16,6 +19,7 @@
 #include <string>
 
 #include "actors/mission_client/planning_context.hpp"
+#include "messages/mission/map_objects.hpp"
 
 namespace godwit::mission_client {
 
@@ -38,7 +42,7 @@ public:
   void on_store(planning_context& d, ticket number, const store_answer& answer) override;
 
 private:
-  enum class stage { choosing, beginning, loading, finishing, failing, looking };
+  enum class stage { choosing, beginning, loading, finishing, counting, failing, looking };
 
   [[nodiscard]] store_question question(const planning_context& d) const;
   void plan_loading(planning_context& d);
@@ -48,7 +52,11 @@ private:
   // What bound has been passed; empty: none.
   [[nodiscard]] std::string passed_bound() const;
   [[nodiscard]] tl::expected<store::load_page, std::string> page_in(const service_answer& answer,
-                                                                    std::optional<std::string>& next) const;
+                                                                    std::optional<std::string>& next);
+  // Whether all pages are either changes or the map; a sentence if not.
+  [[nodiscard]] tl::expected<void, std::string> take_mark(const mission::map_object_page& page);
+  [[nodiscard]] std::optional<std::string> since(const planning_context& d) const;
+  void take_load(const store::load_answer& begun);
   void go_to(stage next);
   void drop_pages(planning_context& d);
   void begin_anew(planning_context& d, const std::string& why);
@@ -72,6 +80,9 @@ private:
   std::string reason_; // why it fails
   int loads_ = 0;
   std::int64_t load_ = 0;                        // the store's number
+  std::string mark_before_;                      // of the copy from before; empty: all of the map is asked for
+  std::string mark_;                             // of what comes
+  std::optional<bool> is_change_;                // what comes has only changes; nothing: no page has come
   destination what_ = destination::observations; // which pages; observations stands for the objects
   std::string next_;
   bool is_last_here_ = false; // no page comes any more

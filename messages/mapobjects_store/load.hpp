@@ -24,8 +24,9 @@ struct load_page {
   std::int64_t load = 0;
   std::int64_t number = 0; // 0, 1, 2, ... in the load
   std::vector<map_object> objects;
-  std::vector<ignored_item> ignored; // 5000 rows at most, both together
-  GODWIT_FIELDS(load_page, "mapobjects_store.load_page", load, number, objects, ignored);
+  std::vector<ignored_item> ignored;     // 5000 rows at most, all together
+  std::vector<std::string> removed = {}; // ids of objects that the copy from before has; with finish_load's is_change
+  GODWIT_FIELDS(load_page, "mapobjects_store.load_page", load, number, objects, ignored, removed);
 };
 
 // All pages are there: from now on this is the map. Said again, it is a repetition.
@@ -34,14 +35,17 @@ struct finish_load {
   std::int64_t objects = 0; // on all pages together; a load with another number is refused
   std::int64_t ignored = 0;
   std::int64_t at_ns = 0; // since 1970 (UTC)
-  GODWIT_FIELDS(finish_load, "mapobjects_store.finish_load", load, objects, ignored, at_ns);
+  bool is_change = false; // the objects replace those of the copy from before, whose others stay; ignored items are all
+  std::string mark = {};  // the service's, of what the pages show; empty: it gave none
+  GODWIT_FIELDS(finish_load, "mapobjects_store.finish_load", load, objects, ignored, at_ns, is_change, mark);
 };
 
 struct load_answer {
   std::int64_t load = 0;
   map_failure failure = map_failure::none; // load_given_up: begin anew
   std::string error;
-  GODWIT_FIELDS(load_answer, "mapobjects_store.load_answer", load, failure, error);
+  std::string mark = {}; // of begin_load: of the copy that this mission has; empty: none
+  GODWIT_FIELDS(load_answer, "mapobjects_store.load_answer", load, failure, error, mark);
 };
 
 // Which mission the map is for, and what becomes of it and of what is owed when a mission is gone. All may be said

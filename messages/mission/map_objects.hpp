@@ -66,9 +66,12 @@ struct observation {
 struct map_object_page {
   std::string schema_version;
   std::vector<map_object> map_objects;
-  std::optional<std::string> next; // absent on the last page
+  std::optional<std::string> next;       // absent on the last page
+  std::optional<std::string> since = {}; // as it was asked for: only what has changed since that mark; absent: all
+  std::optional<std::vector<std::string>> removed{}; // since then; ids of objects
+  std::optional<std::string> mark = {};              // what all pages show, to pull later what changes after it
 
-  GODWIT_FIELDS(map_object_page, "mission.map_object_page", schema_version, map_objects, next);
+  GODWIT_FIELDS(map_object_page, "mission.map_object_page", schema_version, map_objects, next, since, removed, mark);
   friend bool operator==(const map_object_page&, const map_object_page&) = default;
 };
 

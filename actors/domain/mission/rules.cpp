@@ -192,6 +192,8 @@ document_problems broken_rules(const map_object_page& value) {
   document_problems problems;
   add_version_problem(value.schema_version, problems);
   add_map_object_problems(value.map_objects, problems);
+  if (!value.since && value.removed)
+    problems.push_back({"/removed", "is there without `since`", "ids of what was removed since a mark"});
   return problems;
 }
 

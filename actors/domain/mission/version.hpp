@@ -20,6 +20,11 @@ namespace godwit::mission {
   return knows_outcomes(stated) && !stated.starts_with("2.1.");
 }
 
+// Such a service gives its map marks, and tells what has changed since one (2.3).
+[[nodiscard]] inline bool gives_marks(std::string_view stated) {
+  return takes_pictures(stated) && !stated.starts_with("2.2.");
+}
+
 // A mission states version 2 when something in it needs that.
 inline void raise_version(document& value) {
   if (needs_version_2(value) && value.schema_version.starts_with("1."))

@@ -70,7 +70,7 @@ void service_view::ask_again(effects& out, instant now) {
     out.emplace_back(send_to_client{mission_client::begin_mission{flight_.configured.mission_id}});
     return;
   }
-  if (wants_status() && !flight_.is_mission_deleted())
+  if ((wants_status() || (at_once && flight_.s.mission)) && !flight_.is_mission_deleted())
     ask_for_map(out, now, at_once);
 }
 
@@ -105,15 +105,17 @@ void service_view::ask_for_map(effects& out, instant now, bool at_once) {
       out.emplace_back(send_to_client{mission_client::accept_copy{id}});
     return;
   }
-  if (map_ != pull_state::failed && map_ != pull_state::cached_fallback)
+  const bool is_there = map_ == pull_state::synced && at_once; // it is shown until a newer one is whole
+  if (map_ != pull_state::failed && map_ != pull_state::cached_fallback && !is_there)
     return;
   if (pull_at_ns_ == 0)
     pull_at_ns_ = now.now_ns + pull_pause_ns();
   if (!at_once && now.now_ns < pull_at_ns_)
     return;
-  ++failed_pulls_; // until it goes well
+  if (!is_there)
+    ++failed_pulls_; // until it goes well
   pull_at_ns_ = now.now_ns + pull_pause_ns();
-  if (map_ == pull_state::failed)
+  if (map_ != pull_state::cached_fallback)
     map_ = pull_state::in_flight;
   out.emplace_back(send_to_client{mission_client::pull_map{id}});
 }
@@ -123,16 +125,14 @@ std::string service_view::pull() {
     return "the mission does not come from a missions service: there is nothing to pull";
   if (flight_.is_in_flight())
     return "a flight is under way; the map is pulled on the ground";
-  const bool has_failed = map_ == pull_state::failed || map_ == pull_state::cached_fallback;
   if (flight_.waits_for_next()) {
     wants_pull_ = true;
     return {};
   }
   if (flight_.is_mission_deleted())
     return "the service has deleted the mission";
-  if (!may_begin_again_ && !has_failed)
-    return map_ == pull_state::synced ? "the mission and its map are there already"
-                                      : "the mission or its map is being pulled already";
+  if (!may_begin_again_ && map_ == pull_state::in_flight)
+    return "the mission or its map is being pulled already";
   wants_pull_ = true;
   return {};
 }

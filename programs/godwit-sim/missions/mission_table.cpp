@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <iterator>
+#include <map>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "actors/domain/mission/rules.hpp"
 #include "actors/domain/mission/write.hpp"
 #include "io/fields/json_value.hpp"
+#include "io/text.hpp"
 #include "runtime/assert.hpp"
 
 namespace godwit::sim::missions {
@@ -143,19 +145,24 @@ namespace {
 struct kind_row {
   std::string_view list; // name of the list in the body
   std::string_view last; // SQL: the last row that there is
-  std::string_view rows; // SQL: mission, after, last, limit
+  std::string_view rows; // SQL: mission, after, last, limit; a row without a text was removed
 };
 
 constexpr kind_row map_object_rows{
     "map_objects", "SELECT COALESCE(MAX(seq), 0) FROM map_objects WHERE mission_id = ?1",
-    "SELECT seq, text FROM map_objects WHERE mission_id = ?1 AND seq > ?2 AND seq <= ?3 ORDER BY seq LIMIT ?4"};
+    "SELECT seq, text, object_id FROM map_objects WHERE mission_id = ?1 AND seq > ?2 AND seq <= ?3 "
+    "AND text IS NOT NULL ORDER BY seq LIMIT ?4"};
+constexpr kind_row changed_object_rows{
+    "map_objects", map_object_rows.last,
+    "SELECT seq, text, object_id FROM map_objects WHERE mission_id = ?1 AND seq > ?2 AND seq <= ?3 "
+    "ORDER BY seq LIMIT ?4"};
 constexpr kind_row ignored_item_rows{
     "ignored_items", "SELECT COALESCE(MAX(seq), 0) FROM delivered WHERE mission_id = ?1 AND kind = 'ignored_item'",
     "SELECT seq, text FROM delivered WHERE mission_id = ?1 AND kind = 'ignored_item' AND seq > ?2 AND seq <= ?3 "
     "ORDER BY seq LIMIT ?4"};
 
 // What is in a page besides its rows.
-constexpr std::size_t max_frame_bytes = 2048;
+constexpr std::size_t max_frame_bytes = 4096;
 
 } // namespace
 
@@ -176,50 +183,75 @@ std::optional<page_place> parse_page_place(std::string_view text) {
   return page_place{numbers[0], numbers[1], numbers[2]};
 }
 
-std::optional<page_made> page(service_file& file, const mission_row& of, page_kind kind, const std::string& next,
-                              std::uint64_t limit) {
-  const auto& how = kind == page_kind::map_objects ? map_object_rows : ignored_item_rows;
-  const auto epoch = kind == page_kind::map_objects ? of.map_epoch : 0;
-  const auto last = file.number(how.last, of.mission_id).value_or(0);
-  const auto given = next.empty() ? page_place{epoch, 0, last} : parse_page_place(next);
+std::optional<page_made> page(service_file& file, const mission_row& of, page_kind kind, const page_request& asked) {
+  const bool has_objects = kind == page_kind::map_objects;
+  const auto epoch = has_objects ? of.map_epoch : 0;
+  const auto last = file.number(has_objects ? map_object_rows.last : ignored_item_rows.last, of.mission_id).value_or(0);
+  // A mark is the number of the last row that was shown; one that is none of ours gets all of the map.
+  std::int64_t mark = 0;
+  const bool is_change = has_objects && asked.since && io::read_number(*asked.since, mark) && mark >= 0 && mark <= last;
+  const auto& how = !has_objects ? ignored_item_rows : is_change ? changed_object_rows : map_object_rows;
+  const auto given = asked.next.empty() ? page_place{epoch, is_change ? mark : 0, last} : parse_page_place(asked.next);
   if (!given || given->epoch != epoch || given->after > given->last || given->last > last)
     return std::nullopt;
   auto place = *given;
   std::string rows;
+  std::string removed;
   std::uint64_t count = 0;
   bool is_full = false;
   file.each_row(
       how.rows,
       [&](const statement& row) {
-        auto text = row.text(1);
-        is_full = is_full || count == limit || rows.size() + text.size() + max_frame_bytes > mission::max_page_bytes;
+        const bool is_removed = row.is_null(1);
+        auto text = is_removed ? "\"" + row.text(2) + "\"" : row.text(1);
+        is_full = is_full || count == asked.limit ||
+                  rows.size() + removed.size() + text.size() + max_frame_bytes > mission::max_page_bytes;
         if (is_full)
           return;
-        rows.append(count == 0 ? "" : ",").append(text);
+        auto& to = is_removed ? removed : rows;
+        to.append(to.empty() ? "" : ",").append(text);
         place.after = row.integer(0);
         ++count;
       },
-      of.mission_id, place.after, place.last, limit + 1); // one more tells whether this page is the last
+      of.mission_id, place.after, place.last, asked.limit + 1); // one more tells whether this page is the last
   std::string body =
       R"({"schema_version":")" + std::string(mission::schema_version) + R"(",")" + std::string(how.list) + R"(":[)";
   body.append(rows).append("]");
   const auto following = is_full ? text_of(place) : std::string();
   if (is_full)
     body.append(R"(,"next":")").append(following).append("\"");
+  if (is_change)
+    body.append(R"(,"since":")").append(*asked.since).append(R"(","removed":[)").append(removed).append("]");
+  if (has_objects && asked.since)
+    body.append(R"(,"mark":")").append(std::to_string(place.last)).append("\"");
   return page_made{body + "}", following};
 }
 
 void replace_map_objects(service_file& file, const std::string& mission_id,
                          const std::vector<mission::map_object>& objects) {
-  file.run("DELETE FROM map_objects WHERE mission_id = ?1", mission_id);
-  for (const auto& each : objects)
-    file.run("INSERT INTO map_objects(mission_id, text) VALUES (?1, ?2)", mission_id, mission::to_text(each));
+  std::map<std::string, std::string> before;
+  file.each_row(
+      "SELECT object_id, text FROM map_objects WHERE mission_id = ?1 AND text IS NOT NULL",
+      [&](const statement& row) { before.emplace(row.text(0), row.text(1)); }, mission_id);
+  for (const auto& each : objects) {
+    const auto text = mission::to_text(each);
+    const auto there = before.find(each.object_id);
+    if (there == before.end() || there->second != text)
+      file.run("INSERT OR REPLACE INTO map_objects(mission_id, object_id, text) VALUES (?1, ?2, ?3)", mission_id,
+               each.object_id, text);
+    if (there != before.end())
+      before.erase(there);
+  }
+  for (const auto& [object_id, text] : before)
+    file.run("INSERT OR REPLACE INTO map_objects(mission_id, object_id, text) VALUES (?1, ?2, NULL)", mission_id,
+             object_id);
   file.run("UPDATE missions SET map_epoch = map_epoch + 1 WHERE mission_id = ?1", mission_id);
 }
 
 std::uint64_t map_object_count(service_file& file, const std::string& mission_id) {
   return static_cast<std::uint64_t>(
-      file.number("SELECT COUNT(*) FROM map_objects WHERE mission_id = ?1", mission_id).value_or(0));
+      file.number("SELECT COUNT(*) FROM map_objects WHERE mission_id = ?1 AND text IS NOT NULL", mission_id)
+          .value_or(0));
 }
 
 } // namespace godwit::sim::missions

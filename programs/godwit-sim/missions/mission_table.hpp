@@ -73,7 +73,8 @@ changed_mission(const mission::document& old, const std::optional<std::string>& 
 // What the map has, page by page: the objects and what is ignored, as they were when the first page was asked for.
 //
 // Rows are only ever added, with rising numbers, so a page that goes no further than the last row of that moment shows
-// it. When the objects are replaced, `map_epoch` of the mission rises, and an older `next` is not known any more.
+// it. When the objects are replaced, `map_epoch` of the mission rises, and an older `next` is not known any more; what
+// has changed gets new numbers, and what was removed keeps a row without a text, for those who have an older mark.
 // Errors: kept by the file. Thread: the file's.
 
 // Where a page begins; its text is the `next` of the contract.
@@ -92,9 +93,14 @@ struct page_made {
   std::string body;
   std::string next; // empty: it is the last one
 };
-// None: NEXT is not known (any more).
+struct page_request {
+  std::string next; // empty: the first one
+  std::uint64_t limit = 0;
+  std::optional<std::string> since; // a mark, of objects; empty: a mark is wanted, and all of the map
+};
+// None: `next` is not known (any more).
 [[nodiscard]] std::optional<page_made> page(service_file& file, const mission_row& of, page_kind kind,
-                                            const std::string& next, std::uint64_t limit);
+                                            const page_request& asked);
 
 void replace_map_objects(service_file& file, const std::string& mission_id,
                          const std::vector<mission::map_object>& objects);

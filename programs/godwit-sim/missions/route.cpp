@@ -149,6 +149,10 @@ std::string read_parameter(route& to, std::string_view name, const std::string& 
     to.next = value;
     return value.empty() || value.size() > 1024 ? "`next` is to be given back as it was" : "";
   }
+  if (to.where == endpoint::get_map_objects && name == "since") {
+    to.since = value;
+    return value.size() > 1024 ? "`since` is to be a mark, as it was given" : "";
+  }
   for (const auto& row : number_rows) {
     if (row.name != name || (row.first != to.where && row.second != to.where))
       continue;

@@ -27,7 +27,8 @@ struct route {
   std::string assignment_id; // of post_response
   std::string next;          // of pages; empty: the first one
   std::uint64_t limit = default_page_rows;
-  std::int64_t after = 0; // revision; of get_assignments
+  std::optional<std::string> since = {}; // of the objects: a mark, or empty
+  std::int64_t after = 0;                // revision; of get_assignments
   std::uint64_t wait_s = default_wait_s;
   std::string vehicle_id = {}; // of get_next
 };

@@ -16,7 +16,7 @@ namespace godwit::sim::missions {
 namespace {
 
 answer page_answer(service_file& file, const call& at, page_kind kind) {
-  auto made = page(file, at.mission, kind, at.to.next, at.to.limit);
+  auto made = page(file, at.mission, kind, {at.to.next, at.to.limit, at.to.since});
   if (!made)
     return problem_answer(400, "This `next` is not known, or not any more: begin with the first page.");
   answer result{.body = std::move(made->body), .headers = {}};

@@ -3,7 +3,7 @@
 namespace godwit::sim::missions {
 namespace {
 
-constexpr std::int64_t schema_number = 1;
+constexpr std::int64_t schema_number = 2;
 
 // A row of `delivered` is there once for its key, however often it is sent. What is left of a mission that was deleted
 // stays for those who want to look at it.
@@ -31,7 +31,9 @@ CREATE INDEX assignments_by_revision ON assignments(mission_id, revision);
 CREATE TABLE map_objects(
   seq        INTEGER PRIMARY KEY AUTOINCREMENT,
   mission_id TEXT NOT NULL,
-  text       TEXT NOT NULL);
+  object_id  TEXT NOT NULL,
+  text       TEXT,                           -- NULL: it is not on the map any more
+  UNIQUE(mission_id, object_id));
 CREATE INDEX map_objects_by_mission ON map_objects(mission_id);
 CREATE TABLE delivered(
   seq        INTEGER PRIMARY KEY,

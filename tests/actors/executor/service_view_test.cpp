@@ -63,10 +63,26 @@ TEST_P(service_again, an_operator_has_it_pulled_at_once) {
   EXPECT_EQ(world.pulls(), 1);
   EXPECT_FALSE(world.say(command_kind::pull).is_taken) << "it is under way";
   world.pull_map(pull_state::synced);
-  EXPECT_FALSE(world.say(command_kind::pull).is_taken) << "it is there";
   ASSERT_TRUE(world.run_until_phase(phase::flying)) << world.story();
   EXPECT_FALSE(world.say(command_kind::pull).is_taken) << "not in flight";
   EXPECT_TRUE(world.run_until_phase(phase::done)) << world.story();
+}
+
+TEST_P(service_again, a_map_that_is_there_is_pulled_anew_for_an_operator_alone) {
+  flight_world world({.who = GetParam(), .start = start_policy::on_command});
+  world.load(short_mission());
+  ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+  world.run_for(600);
+  EXPECT_EQ(world.pulls(), 0);
+  EXPECT_TRUE(world.say(command_kind::pull).is_taken);
+  world.run_for(1);
+  EXPECT_EQ(world.pulls(), 1);
+  EXPECT_FALSE(world.say(command_kind::pull).is_taken) << "it is under way";
+  world.pull_map(pull_state::synced);
+  ASSERT_TRUE(world.run_until_phase(phase::ready, 60)) << world.story();
+  EXPECT_TRUE(world.say(command_kind::start).is_taken) << world.story();
+  EXPECT_TRUE(world.run_until_phase(phase::done)) << world.story();
+  EXPECT_EQ(world.pulls(), 1);
 }
 
 TEST_P(service_again, in_flight_nothing_is_pulled) {

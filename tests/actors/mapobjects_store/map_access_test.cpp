@@ -34,7 +34,7 @@ protected:
   std::int64_t begin_load() {
     std::int64_t number = 0;
     EXPECT_TRUE(writer->post([](map_tables& t) { return begin(t, {mission_a}); },
-                             [&](const map_result<std::int64_t>& done) { number = done.value_or(0); }));
+                             [&](const map_result<begun_load>& done) { number = done ? done->number : 0; }));
     writer->run_once();
     EXPECT_NE(number, 0);
     return number;

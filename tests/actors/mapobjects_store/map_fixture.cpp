@@ -90,7 +90,7 @@ observation map_test::record(const sighting& what) {
 std::int64_t map_test::begin_load(const std::string& mission) {
   const auto number = store->transact([&](map_tables& t) { return begin(t, {mission}); });
   EXPECT_TRUE(number.has_value()) << (number ? "" : number.error().message());
-  return number.value_or(0);
+  return number ? number->number : 0;
 }
 
 map_result<void> map_test::add_page(load_page page) {
@@ -111,6 +111,20 @@ void map_test::load(const std::vector<map_object>& objects, const std::vector<ig
 map_result<void> map_test::finish(std::int64_t load, std::int64_t objects, std::int64_t ignored) {
   load_finish end({.load = load, .objects = objects, .ignored = ignored, .at_ns = 5}, [](const map_result<void>&) {});
   return store->run(end);
+}
+
+void map_test::load_change(const std::vector<map_object>& objects, const std::vector<std::string>& removed,
+                           const std::string& mark) {
+  const auto number = begin_load();
+  ASSERT_TRUE(add_page({.load = number, .objects = objects, .ignored = {}, .removed = removed}));
+  load_finish end({.load = number,
+                   .objects = static_cast<std::int64_t>(objects.size()),
+                   .at_ns = 6,
+                   .is_change = true,
+                   .mark = mark},
+                  [](const map_result<void>&) {});
+  const auto done = store->run(end);
+  ASSERT_TRUE(done.has_value()) << done.error().message();
 }
 
 std::vector<std::string> ids_of(const batch& taken) {

@@ -68,6 +68,9 @@ public: // also used as a value, by property tests
   [[nodiscard]] mapobjects_store::map_result<void> add_page(mapobjects_store::load_page page);
   [[nodiscard]] mapobjects_store::map_result<void> finish(std::int64_t load, std::int64_t objects,
                                                           std::int64_t ignored = 0);
+  // What has changed since the load before.
+  void load_change(const std::vector<mapobjects_store::map_object>& objects, const std::vector<std::string>& removed,
+                   const std::string& mark = {});
   // KEY: number of the UUID.
   [[nodiscard]] mapobjects_store::map_result<mapobjects_store::batch>
   try_take(std::uint64_t key, std::uint32_t limit = 1000, const std::string& mission = mission_a,

@@ -1,4 +1,6 @@
 #include "actors/mapobjects_store/map_load.hpp"
+#include "actors/mapobjects_store/mission_scope.hpp"
+#include "actors/mapobjects_store/staged_work.hpp"
 #include "tests/actors/mapobjects_store/map_fixture.hpp"
 
 namespace godwit::mapobjects_store {
@@ -8,6 +10,48 @@ namespace map_load_test {
 using namespace godwit::tests;
 
 using map_load = tests::map_test;
+
+TEST_F(map_load, of_changes_keeps_the_rest_of_the_copy) {
+  load({object(1, place(0)), object(2, place(100)), object(3, place(200))});
+  load_change({object(2, place(300)), object(4, place(400))}, {uuid(3), uuid(77)});
+  EXPECT_EQ(shown(), (std::vector{uuid(1), uuid(2), uuid(4)}));
+  EXPECT_EQ(kind(seen(10, place(300))), observation_kind::existing);
+  EXPECT_EQ(kind(seen(11, place(0))), observation_kind::existing);
+  EXPECT_EQ(kind(seen(12, place(200))), observation_kind::found) << "it was removed";
+  load_change({}, {uuid(1)});
+  EXPECT_EQ(shown(), (std::vector{uuid(2), uuid(4), uuid(12)}));
+}
+
+TEST_F(map_load, of_changes_takes_over_more_than_one_turn_writes) {
+  std::vector<map_object> all;
+  for (std::uint64_t i = 1; i <= 3 * max_chunk_rows / 2; ++i)
+    all.push_back(object(i, place(static_cast<double>(50 * i))));
+  load(all);
+  load_change({}, {uuid(5)});
+  EXPECT_EQ(shown().size(), all.size() - 1);
+  collect_garbage();
+  EXPECT_EQ(shown().size(), all.size() - 1);
+}
+
+TEST_F(map_load, of_changes_needs_the_copy) {
+  const auto number = begin_load();
+  load_finish end({.load = number, .is_change = true}, [](const map_result<void>&) {});
+  EXPECT_EQ(store->run(end).error().code, map_errc::refused);
+}
+
+TEST_F(map_load, the_mark_of_the_copy_is_told_as_the_next_one_begins) {
+  const auto mark = [&](const std::string& mission) {
+    return store->transact([&](map_tables& t) { return begin(t, {mission}); }).value().mark;
+  };
+  ASSERT_TRUE(store->transact([](map_tables& t) { return choose(t, {mission_a}); }));
+  load({object(1, place(0))});
+  EXPECT_EQ(mark(mission_a), "") << "the service gave none";
+  load_change({}, {}, "m-17");
+  close();
+  open();
+  EXPECT_EQ(mark(mission_a), "m-17");
+  EXPECT_EQ(mark(mission_b), "");
+}
 
 TEST_F(map_load, until_its_last_step_everybody_sees_the_old_map) {
   load({object(1, place(0))});
@@ -154,6 +198,21 @@ protected:
     return *last;
   }
 };
+
+TEST_F(load_finish_test, a_turn_of_changes_that_was_rolled_back_is_done_again) {
+  load({object(1, place(0)), object(2, place(100)), object(3, place(200))});
+  const auto number = begin_load();
+  ASSERT_TRUE(add_page({.load = number, .objects = {object(4, place(300))}, .ignored = {}, .removed = {uuid(2)}}));
+  load_finish end({.load = number, .objects = 1, .is_change = true}, [](const map_result<void>&) {});
+  for (int turn = 0;; ++turn) {
+    EXPECT_FALSE(turn_of(end, false));
+    EXPECT_EQ(shown(), (std::vector{uuid(1), uuid(2), uuid(3)}));
+    ASSERT_LT(turn, 9);
+    if (turn_of(end, true))
+      break;
+  }
+  EXPECT_EQ(shown(), (std::vector{uuid(1), uuid(3), uuid(4)}));
+}
 
 TEST_F(load_finish_test, said_again_it_changes_nothing) {
   const auto number = load_pages(3);

@@ -146,7 +146,7 @@ TEST_F(map_writer_test, a_job_goes_on_by_itself_when_the_disk_works_again) {
       failing.set_value();
   };
   open(options);
-  const auto number = get(ask([](map_tables& t) { return begin(t, {mission_a}); })).value();
+  const auto number = get(ask([](map_tables& t) { return begin(t, {mission_a}); })).value().number;
   fault_vfs::instance().arm({.kind = fault_kind::io_error, .at = 1, .from_then_on = true});
   auto answer = std::make_shared<std::promise<map_result<void>>>();
   ASSERT_TRUE(writer->add_page({.load = number, .objects = {object(1, place(0))}, .ignored = {}},
@@ -186,7 +186,7 @@ TEST_F(map_writer_test, closing_writes_what_waits_and_refuses_what_comes) {
 
 TEST_F(map_writer_test, a_load_goes_on_beside_sightings_and_replaces_the_map_at_once) {
   open();
-  const auto number = get(ask([](map_tables& t) { return begin(t, {mission_a}); })).value();
+  const auto number = get(ask([](map_tables& t) { return begin(t, {mission_a}); })).value().number;
   load_page page{.load = number, .objects = {}, .ignored = {}};
   for (std::uint64_t i = 0; i < 3000; ++i)
     page.objects.push_back(object(1000 + i, place(static_cast<double>(i), 1000)));

@@ -1,4 +1,7 @@
 // mission_client as an actor, when all goes well: the way of one mission, and what is told to whom.
+#include <map>
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include "tests/actors/mission_client/client_world.hpp"
@@ -46,6 +49,70 @@ TEST(mission_client_actor, a_mission_is_fetched_its_map_is_pulled_and_both_are_t
   EXPECT_EQ(status.connection, connection_state::reachable);
   EXPECT_EQ(status.last_error, "");
   EXPECT_EQ(p.health().colour, runtime::health_colour::green);
+}
+
+// A map of 250 objects that was pulled: then one is moved, one removed, one new.
+struct changed_map {
+  changed_map() {
+    auto document = sample_mission(mission_a);
+    document.schema_version = "2.3.0";
+    fill_map(around.service.add(document), 250, 30);
+    around.service.page_rows = 100;
+    begin(p, mission_a);
+    auto& m = around.service.at(mission_a);
+    m.map_objects[7].latitude = 47.5;
+    m.map_objects.erase(m.map_objects.begin() + 100);
+    m.map_objects.push_back(m.map_objects[0]);
+    m.map_objects.back().object_id = uuid(999, 'c');
+    around.service.calls.clear();
+  }
+  void pull_again() {
+    p.say(pull_map{mission_a});
+    p.advance(3s);
+  }
+  void expect_the_map_of_the_service() {
+    std::map<std::string, double> expected;
+    for (const auto& each : around.service.at(mission_a).map_objects)
+      expected[each.object_id] = each.latitude;
+    std::map<std::string, double> found;
+    for (const auto& each : around.store.objects)
+      found[each.id] = each.position.latitude_deg;
+    EXPECT_EQ(found, expected);
+    ASSERT_EQ(around.listener.pulled.size(), 2U);
+    EXPECT_EQ(around.listener.pulled[1].state, pull_state::synced) << around.listener.pulled[1].reason;
+    EXPECT_EQ(around.listener.pulled[1].objects, expected.size());
+    EXPECT_EQ(around.listener.pulled[1].ignored, 30U);
+  }
+
+  outside around;
+  process p{around};
+};
+
+TEST(mission_client_actor, a_map_that_is_pulled_again_brings_only_what_has_changed) {
+  changed_map world;
+  world.pull_again();
+  world.expect_the_map_of_the_service();
+  EXPECT_EQ(world.around.store.loaded_objects.size(), 250U) << "two of the service, and the rest of the copy";
+  EXPECT_EQ(world.around.service.calls["GET /missions/" + mission_a + "/mapobjects"], 1) << "a page instead of three";
+}
+
+TEST(mission_client_actor, a_service_that_does_not_know_its_mark_any_more_gives_all_of_the_map) {
+  changed_map world;
+  world.around.service.refuses_marks = true;
+  world.pull_again();
+  world.expect_the_map_of_the_service();
+  EXPECT_EQ(world.around.service.calls["GET /missions/" + mission_a + "/mapobjects"], 4);
+}
+
+TEST(mission_client_actor, a_service_before_2_3_is_not_asked_for_marks) {
+  outside around;
+  auto document = sample_mission(mission_a);
+  document.schema_version = "2.2.0";
+  fill_map(around.service.add(document), 3, 0);
+  process p(around);
+  begin(p, mission_a);
+  EXPECT_TRUE(around.service.at(mission_a).marked.empty());
+  EXPECT_EQ(around.store.mark, "");
 }
 
 TEST(mission_client_actor, a_mission_that_is_begun_again_is_not_fetched_again) {

@@ -80,7 +80,7 @@ TEST(mission_client_core, an_event_that_comes_in_the_wrong_phase_or_twice_change
   EXPECT_TRUE(durable_core::apply(s, fetch_failed{{mission_a, refusal::invalid, "x", {}}}, 9).empty());
   EXPECT_TRUE(durable_core::apply(s, pull_ended{{mission_a, pull_state::failed, 0, 0, "x"}}, 9).empty());
   EXPECT_TRUE(durable_core::apply(s, begin_mission{mission_a}, 9).empty());
-  EXPECT_TRUE(durable_core::apply(s, pull_map{mission_a}, 9).empty());
+  EXPECT_TRUE(durable_core::apply(s, pull_map{"b"}, 9).empty());
   EXPECT_TRUE(durable_core::apply(s, rows_delivered{{"nobody"}}, 9).empty());
   EXPECT_TRUE(durable_core::apply(s, rows_failed{{"nobody"}, "x", 0}, 9).empty());
   EXPECT_TRUE(durable_core::apply(s, change_failed{"nobody", change_verdict::unknown, "x"}, 9).empty());

@@ -222,6 +222,35 @@ service_answer scripted_service::handle_post(service_mission& m, const service_c
   return take_response(m, rest.substr(prefix, 36), call.body);
 }
 
+// A mark is the number of a state of the map.
+template <class Cut>
+service_answer scripted_service::page_since(service_mission& m, const std::string& since, const Cut& cut) {
+  if (!since.empty() && refuses_marks)
+    return problem(400, "since is not known any more");
+  if (m.marked.empty() || m.marked.back() != m.map_objects)
+    m.marked.push_back(m.map_objects);
+  mission::map_object_page result{"1.0.0", {}, {}};
+  result.mark = std::to_string(m.marked.size() - 1);
+  if (since.empty()) {
+    cut(m.map_objects, result.map_objects, result.next);
+    return plain(200, mission::to_text(result));
+  }
+  result.since = since;
+  result.removed.emplace();
+  const auto& before = m.marked.at(std::stoul(since));
+  std::vector<mission::map_object> changed;
+  for (const auto& each : m.map_objects)
+    if (std::ranges::find(before, each) == before.end())
+      changed.push_back(each);
+  for (const auto& each : before)
+    if (std::ranges::find(m.map_objects, each.object_id, &mission::map_object::object_id) == m.map_objects.end())
+      result.removed->push_back(each.object_id);
+  cut(changed, result.map_objects, result.next);
+  if (result.next) // with the last page
+    result.removed.reset();
+  return plain(200, mission::to_text(result));
+}
+
 service_answer scripted_service::page(service_mission& m, const std::string& rest, const std::string& query) {
   const auto token = parameter(query, "next");
   if (!token.empty() && !std::exchange(page_tokens_, true))
@@ -235,6 +264,8 @@ service_answer scripted_service::page(service_mission& m, const std::string& res
       next = "+" + std::to_string(upto);
   };
   if (rest == "/mapobjects") {
+    if (query.find("&since=") != std::string::npos)
+      return page_since(m, parameter(query, "since"), cut);
     mission::map_object_page result{"1.0.0", {}, {}};
     cut(m.map_objects, result.map_objects, result.next);
     return plain(200, mission::to_text(result));

@@ -79,8 +79,9 @@ struct service_mission {
   std::map<std::string, mission::ignored_item> ignored;          // by id
   std::vector<mission::map_object> map_objects;                  // what is pulled
   std::vector<mission::ignored_item> map_ignored;
-  int changes = 0;                  // inserts and tails that took effect
-  std::set<std::string> item_ids{}; // that it has or had
+  std::vector<std::vector<mission::map_object>> marked{}; // the map at each mark that was given
+  int changes = 0;                                        // inserts and tails that took effect
+  std::set<std::string> item_ids{};                       // that it has or had
 };
 
 class scripted_service {
@@ -97,6 +98,7 @@ public:
   std::int64_t latency_ns = 20'000'000;
   std::uint32_t page_rows = 1'000'000;    // of a page at most, beside what is asked for
   std::int32_t numbers_by = 1;            // a change raises the revision by so much: others have changed it, too
+  bool refuses_marks = false;             // 400 to each that it has given
   bool knows_progress_call = true;        // GET .../progress; an older service does not
   std::vector<std::string> next_missions; // missions of `vehicle`, which is given the first that has not ended
   std::string vehicle = "bird-1";
@@ -133,6 +135,8 @@ private:
   [[nodiscard]] std::optional<service_answer> next_of(const std::string& vehicle_id, bool may_wait) const;
   [[nodiscard]] service_answer handle_post(service_mission& m, const service_call& call, const std::string& rest);
   [[nodiscard]] service_answer page(service_mission& m, const std::string& rest, const std::string& query);
+  template <class Cut>
+  [[nodiscard]] service_answer page_since(service_mission& m, const std::string& since, const Cut& cut);
   static void note_items(service_mission& m);
   [[nodiscard]] service_answer take_progress(service_mission& m, const std::string& body);
   [[nodiscard]] service_answer take_change(service_mission& m, const service_call& call, bool is_tail);

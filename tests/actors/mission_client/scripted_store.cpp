@@ -60,8 +60,9 @@ store::load_answer scripted_store::begin(const store::begin_load&) {
   load = ++loads;
   loaded_objects.clear();
   loaded_ignored.clear();
+  removed.clear();
   pages = 0;
-  return {load, store::map_failure::none, {}};
+  return {load, store::map_failure::none, {}, has_copy ? mark : std::string()};
 }
 
 store::load_answer scripted_store::put(const store::load_page& m) {
@@ -75,6 +76,7 @@ store::load_answer scripted_store::put(const store::load_page& m) {
   ++pages;
   loaded_objects.insert(loaded_objects.end(), m.objects.begin(), m.objects.end());
   loaded_ignored.insert(loaded_ignored.end(), m.ignored.begin(), m.ignored.end());
+  removed.insert(removed.end(), m.removed.begin(), m.removed.end());
   return {m.load, store::map_failure::none, {}};
 }
 
@@ -84,8 +86,14 @@ store::load_answer scripted_store::finish(const store::finish_load& m) {
   if (m.objects != static_cast<std::int64_t>(loaded_objects.size()) ||
       m.ignored != static_cast<std::int64_t>(loaded_ignored.size()))
     return {m.load, store::map_failure::refused, "another number of rows"};
+  for (const auto& each : objects) {
+    const bool is_changed = std::ranges::find(loaded_objects, each.id, &store::map_object::id) != loaded_objects.end();
+    if (m.is_change && !is_changed && std::ranges::find(removed, each.id) == removed.end())
+      loaded_objects.push_back(each);
+  }
   objects = loaded_objects;
   ignored_map = loaded_ignored;
+  mark = m.mark;
   sync = store::sync_state::synced;
   has_copy = true;
   return {m.load, store::map_failure::none, {}};
@@ -195,6 +203,7 @@ store::map_status scripted_store::status() const {
   store::map_status result;
   result.mission_id = chosen;
   result.sync = sync;
+  result.objects = objects.size();
   return result;
 }
 

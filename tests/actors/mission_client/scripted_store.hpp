@@ -40,7 +40,9 @@ struct scripted_store {
   std::int64_t loads = 0;
   std::vector<store::map_object> loaded_objects;
   std::vector<store::ignored_item> loaded_ignored;
+  std::vector<std::string> removed;
   std::int64_t pages = 0;
+  std::string mark; // of the map
 
   // Faults.
   bool is_busy = false;

@@ -120,6 +120,9 @@ TEST(rules, map_objects_stand_once_in_a_page) {
   expect_same_again(map_object_page{"1.0.0", {object}, "2000"});
   EXPECT_EQ(problems_of(map_object_page{"1.0.0", {object, object}, {}}),
             "/map_objects/1/object_id stands twice in this list\n");
+  expect_same_again(map_object_page{"1.0.0", {object}, {}, "m-1", std::vector{object.object_id}, "m-2"});
+  EXPECT_NE(problems_of(map_object_page{"1.0.0", {}, {}, {}, std::vector{object.object_id}, {}}).find("/removed"),
+            std::string::npos);
   EXPECT_EQ(problems_of(map_object_page{"3.0.0", {}, {}}),
             "/schema_version is \"3.0.0\"; allowed: versions 1.x.y and 2.x.y\n");
 }

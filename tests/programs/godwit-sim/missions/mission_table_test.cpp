@@ -110,6 +110,49 @@ TEST(missions_pages, a_page_has_a_thousand_rows_unless_asked_otherwise_and_an_em
   EXPECT_EQ(page_of(service, "").map_objects.size(), 1000U);
 }
 
+TEST(missions_pages, since_a_mark_there_is_only_what_has_changed) {
+  judged_service service;
+  auto all = objects(1, 5);
+  ASSERT_TRUE(service_operations::set_map_objects(service.file(), mission_id, all));
+  EXPECT_FALSE(page_of(service, "").mark) << "nobody has asked for one";
+  const auto first = page_of(service, "?since=");
+  ASSERT_TRUE(first.mark);
+  EXPECT_FALSE(first.since);
+  EXPECT_EQ(first.map_objects.size(), 5U);
+  all.erase(all.begin());
+  all[0].latitude = 47.25;
+  all.push_back(map_object(6));
+  ASSERT_TRUE(service_operations::set_map_objects(service.file(), mission_id, all));
+  const auto change = page_of(service, "?since=" + *first.mark);
+  EXPECT_EQ(change.since, first.mark);
+  EXPECT_EQ(change.map_objects, (std::vector{all[0], all.back()}));
+  EXPECT_EQ(change.removed, std::vector{map_object(1).object_id});
+  const auto none = page_of(service, "?since=" + change.mark.value());
+  EXPECT_TRUE(none.map_objects.empty() && none.removed && none.removed->empty());
+  EXPECT_EQ(page_of(service, "?since=nobody's").map_objects.size(), 5U) << "a mark that is not known";
+}
+
+TEST(missions_pages, changes_come_page_by_page_as_well) {
+  judged_service service;
+  const auto mark = page_of(service, "?since=").mark.value();
+  ASSERT_TRUE(service_operations::set_map_objects(service.file(), mission_id, objects(1, 5)));
+  ASSERT_TRUE(service_operations::set_map_objects(service.file(), mission_id, objects(3, 5)));
+  const auto query = "?limit=2&since=" + mark;
+  std::size_t changed = 0;
+  std::size_t removed = 0;
+  auto page = page_of(service, query);
+  for (int pages = 1;; ++pages) {
+    changed += page.map_objects.size();
+    removed += page.removed.value().size();
+    if (!page.next)
+      break;
+    ASSERT_LT(pages, 9);
+    page = page_of(service, query + "&next=" + *page.next);
+  }
+  EXPECT_EQ(changed, 3U);
+  EXPECT_EQ(removed, 2U);
+}
+
 TEST(missions_pages, what_comes_while_somebody_pulls_is_not_in_his_pages) {
   judged_service service;
   std::vector<mission::ignored_item> items;
@@ -145,7 +188,7 @@ TEST(missions_pages, a_page_has_no_more_bytes_than_a_vehicle_takes) {
     each.class_group = std::string(64, '"') + std::string(900, 'x'); // longer than any schema allows
   ASSERT_TRUE(service_operations::set_map_objects(service.file(), mission_id, wide));
   const auto row = find_mission(service.file(), mission_id).value();
-  const auto made = page(service.file(), row, page_kind::map_objects, {}, 2000);
+  const auto made = page(service.file(), row, page_kind::map_objects, {{}, 2000, {}});
   const auto& body = made->body;
   EXPECT_LE(body.size(), mission::max_page_bytes);
   EXPECT_NE(body.find("\"next\":\"" + made->next + "\""), std::string::npos);

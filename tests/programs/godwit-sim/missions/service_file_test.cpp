@@ -31,9 +31,9 @@ TEST(missions_service_file, the_first_error_is_kept_and_nothing_runs_until_it_is
   scratch folder;
   const auto file = service_file::open(folder.file("missions.db")).value();
   file->begin();
-  file->run("INSERT INTO map_objects(mission_id, text) VALUES ('m', 'one')");
+  file->run("INSERT INTO map_objects(mission_id, object_id, text) VALUES ('m', 'a', 'one')");
   file->run("INSERT INTO nothing VALUES (1)");
-  file->run("INSERT INTO map_objects(mission_id, text) VALUES ('m', 'two')");
+  file->run("INSERT INTO map_objects(mission_id, object_id, text) VALUES ('m', 'b', 'two')");
   EXPECT_TRUE(file->has_failed());
   EXPECT_FALSE(file->commit());
   EXPECT_NE(file->take_error().find("nothing"), std::string::npos);

@@ -10,9 +10,9 @@
 #include <sys/eventfd.h>
 
 #include "actors/executor/state.hpp"
-#include "actors/operator_bridge/audit_table.hpp"
 #include "io/http/secret_file.hpp"
 #include "io/mavlink/signing/key_file.hpp"
+#include "programs/godwitd/checks/start_checks.hpp"
 #include "programs/godwitd/composition.hpp"
 #include "programs/godwitd/configuration.hpp"
 #include "programs/godwitd/convert_command.hpp"
@@ -224,7 +224,7 @@ tl::expected<void, std::string> composition::open_files() {
   if (!readable.is_open())
     return tl::make_unexpected(std::string("no descriptor is left: ") + std::strerror(errno));
   control_answers_ = std::make_shared<control::response_queue>(std::move(readable));
-  wanted_.process.journal.tables = {operator_bridge::audit_table()};
+  wanted_.process.journal.tables = journal_tables();
   wanted_.process.seed = fresh_seed();
   outside_.seed = fresh_seed();
   if (wanted_.process.trace) {

@@ -6,8 +6,10 @@
 #include <sys/resource.h>
 
 #include "actors/mapobjects_store/map_reader.hpp"
+#include "actors/operator_bridge/audit_table.hpp"
 #include "io/time_units.hpp"
 #include "runtime/journal/journal_reader.hpp"
+#include "runtime/journal/sqlite_error.hpp"
 
 namespace godwit::daemon {
 
@@ -25,11 +27,18 @@ bool is_beyond_us(mapobjects_store::map_errc code) {
 
 } // namespace
 
+std::vector<runtime::table_definition> journal_tables() { return {operator_bridge::audit_table()}; }
+
 std::optional<std::string> objection_to_journal(const std::string& file) {
   auto opened = runtime::journal_reader::open(file);
   const auto whole = opened ? opened->check(runtime::integrity_check::quick)
                             : tl::expected<void, runtime::journal_error>(tl::make_unexpected(opened.error()));
-  return whole || !is_beyond_us(whole.error().code) ? std::nullopt : std::optional(whole.error().message());
+  if (!whole)
+    return is_beyond_us(whole.error().code) ? std::optional(whole.error().message()) : std::nullopt;
+  const auto known = runtime::check_tables(opened->database(), file, journal_tables());
+  if (known || known.error().code != io::sqlite::store_errc::newer)
+    return std::nullopt;
+  return runtime::from_store(known.error()).message();
 }
 
 std::optional<std::string> objection_to_map(const std::string& file) {

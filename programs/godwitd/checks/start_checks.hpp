@@ -4,12 +4,18 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
+
+#include "runtime/journal/journal_file.hpp"
 
 namespace godwit::daemon {
 
 // Whether what is on disk is godwit's, and of a version that this godwit reads. Only reads, also beside a running one.
 //
 // Errors: sentences with the file and the remedy. Thread: any; blocks on the disk.
+
+// Of the parts of godwitd, beside the journal's own.
+[[nodiscard]] std::vector<runtime::table_definition> journal_tables();
 
 // Why FILE can not be taken over: foreign, newer or damaged. Nothing: it can, or is not there yet.
 [[nodiscard]] std::optional<std::string> objection_to_journal(const std::string& file);

@@ -285,12 +285,20 @@ class Restarts(World):
         self.assertIn("damaged", ended.stderr)
         self.assertEqual(journal.read_bytes(), content)
 
-    def test_a_newer_journal_is_no_reason_to_start_again(self):
-        self.end_at_once()
-        version = ["PRAGMA user_version", "PRAGMA user_version = 1000000"]
-        subprocess.run(["sqlite3", self.path("godwit.db"), version[1]], check=True, timeout=PATIENCE_S)
-        ended = self.run_it()
-        self.assertEqual(ended.returncode, UNKNOWN_STATE, ended.stderr)
+    # After a downgrade: neither the journal's own tables nor those of a part of the program may be newer.
+    def test_a_newer_journal_is_refused_with_a_sentence_left_alone_and_no_reason_to_start_again(self):
+        journal = pathlib.Path(self.path("godwit.db"))
+        table = "INSERT OR REPLACE INTO table_version SELECT name, 1000000 FROM table_version LIMIT 1"
+        for change in ("PRAGMA user_version = 1000000", table):
+            self.end_at_once()
+            subprocess.run(["sqlite3", str(journal), change], check=True, timeout=PATIENCE_S)
+            content = journal.read_bytes()
+            ended = self.run_it()
+            self.assertEqual(ended.returncode, UNKNOWN_STATE, ended.stderr)
+            for part in (str(journal), "1000000", "Start the newer godwit that wrote it, or move the journal away"):
+                self.assertIn(part, ended.stderr)
+            self.assertEqual(journal.read_bytes(), content)
+            os.remove(journal)
 
     def test_a_newer_map_is_refused_with_a_sentence_and_is_no_reason_to_start_again(self):
         for change in ("PRAGMA user_version = 1000000", "UPDATE schema_version SET version = 1000000"):

@@ -220,6 +220,7 @@ void actor::read_host_status() {
   observe(seen.journal, journal_facts_);
   observe(seen.operators, operator_fact_);
   observe(seen.camera, camera_fact_);
+  observe(seen.program, program_fact_);
   seen.actors = supervisor_->facts();
   core_->on_host_status(std::move(seen));
 }

@@ -161,6 +161,7 @@ private:
   std::optional<preflight::journal_facts> journal_facts_;   // as recorded last
   std::optional<preflight::operator_fact> operator_fact_;   // the same
   std::optional<preflight::camera_fact> camera_fact_;       // the same
+  std::optional<preflight::program_fact> program_fact_;     // the same
   std::optional<scan_controller::survey_progress> told_survey_;
   std::uint64_t revoked_ = 0;        // orders that waited for the disk and were not meant any more
   std::set<std::uint64_t> currents_; // set_current requests that wait for their answer

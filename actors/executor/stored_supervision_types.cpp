@@ -8,6 +8,7 @@
 GODWIT_DEFINE_MESSAGE(godwit::executor::preflight::camera_fact);
 GODWIT_DEFINE_MESSAGE(godwit::executor::preflight::journal_facts);
 GODWIT_DEFINE_MESSAGE(godwit::executor::preflight::operator_fact);
+GODWIT_DEFINE_MESSAGE(godwit::executor::preflight::program_fact);
 GODWIT_DEFINE_MESSAGE(godwit::executor::supervision::own_process);
 
 GODWIT_DEFINE_MESSAGE(godwit::executor::supervision::failsafe_missed);

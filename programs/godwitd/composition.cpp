@@ -27,7 +27,7 @@ tl::expected<std::unique_ptr<composition>, std::string> composition::make(daemon
 
 void composition::surround_actors() {
   facts_ = std::make_unique<host_facts>([file = wanted_.process.journal.path] { return free_bytes_beside(file); },
-                                        host_->time());
+                                        host_->time(), [] { return is_without_name("/proc/self/exe"); });
   outside_.vehicle = vehicle_port_;
   outside_.map = map_port_;
   outside_.service = service_;

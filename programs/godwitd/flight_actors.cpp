@@ -37,6 +37,7 @@ executor::host_status read_host_status(const actor_surroundings& outside, const 
   result.journal.is_writable = !journal.failing;
   result.journal.is_nearly_full = journal.fill >= io::sqlite::nearly_full;
   result.journal.free_bytes = outside.host->free_bytes();
+  result.program.is_exchanged = outside.host->is_program_exchanged();
   result.operators.is_there = operators.is_there(outside.host->time().monotonic_ns());
   if (outside.camera)
     result.camera = outside.camera->look(outside.host->time().monotonic_ns());

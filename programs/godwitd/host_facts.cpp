@@ -6,19 +6,31 @@
 #include <system_error>
 
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace godwit::daemon {
 
 std::optional<std::uint64_t> host_facts::free_bytes() {
-  constexpr auto period_ns = std::chrono::nanoseconds(period).count();
   const std::lock_guard guard(mutex_);
-  const auto now_ns = time_.monotonic_ns();
-  if (!read_ns_ || now_ns - *read_ns_ >= period_ns) {
-    read_ns_ = now_ns;
-    free_bytes_ = read_free_bytes_();
-  }
+  read_if_old();
   return free_bytes_;
+}
+
+bool host_facts::is_program_exchanged() {
+  const std::lock_guard guard(mutex_);
+  read_if_old();
+  return is_program_exchanged_;
+}
+
+void host_facts::read_if_old() {
+  constexpr auto period_ns = std::chrono::nanoseconds(period).count();
+  const auto now_ns = time_.monotonic_ns();
+  if (read_ns_ && now_ns - *read_ns_ < period_ns)
+    return;
+  read_ns_ = now_ns;
+  free_bytes_ = read_free_bytes_();
+  is_program_exchanged_ = read_program_();
 }
 
 std::optional<std::uint64_t> free_bytes_beside(const std::string& file) {
@@ -26,6 +38,11 @@ std::optional<std::uint64_t> free_bytes_beside(const std::string& file) {
   const auto folder = std::filesystem::absolute(file, failed).parent_path();
   const auto space = std::filesystem::space(folder, failed);
   return failed ? std::nullopt : std::optional<std::uint64_t>(space.available);
+}
+
+bool is_without_name(const std::string& link) {
+  struct stat info {};
+  return ::stat(link.c_str(), &info) == 0 && info.st_nlink == 0;
 }
 
 namespace {

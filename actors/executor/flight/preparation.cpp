@@ -103,6 +103,7 @@ preflight::report preparation::look_at_all(instant now) {
   seen.wall_ns = now.wall_ns;
   seen.is_operator_session_alive = host_status_.operators.is_there;
   seen.camera = host_status_.camera;
+  seen.program = host_status_.program;
   for (const auto& each : flight_.traffic.all(flight_.configured.close_traffic, now.now_ns).aircraft) {
     seen.traffic.heard.push_back(each.sentence);
     if (each.is_close)

@@ -23,6 +23,7 @@ struct host_status {
   std::vector<preflight::actor_fact> actors;
   preflight::operator_fact operators;
   preflight::camera_fact camera;
+  preflight::program_fact program;
 };
 
 class preparation {

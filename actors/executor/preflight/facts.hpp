@@ -103,6 +103,11 @@ struct actor_fact {
   bool is_running = false;
 };
 
+struct program_fact {
+  bool is_exchanged = false; // on the disk lies another one: a crash would start that
+  GODWIT_FIELDS(program_fact, "executor.program_fact", is_exchanged);
+};
+
 enum class camera_state { unknown, off, not_ready, ready };
 
 GODWIT_ENUM_NAMES(camera_state, unknown, off, not_ready, ready);
@@ -126,6 +131,7 @@ struct facts {
   std::int64_t wall_ns = 0;
   bool is_operator_session_alive = false;
   std::vector<actor_fact> actors; // all that have to run
+  program_fact program;
   camera_fact camera{camera_state::unknown, {}};
   traffic_facts traffic;
 };

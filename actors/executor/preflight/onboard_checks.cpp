@@ -104,6 +104,10 @@ result check_actors(const facts& seen, const settings&) {
   const auto missing = names_of_missing(seen.actors);
   if (!missing.empty())
     return fail("Parts of the program do not run: " + missing + "; the log says why. Start the program again.");
+  if (seen.program.is_exchanged)
+    return fail(
+        "Another version of the program was installed while this one runs, and a crash in flight would start it. "
+        "Start the program again.");
   return pass("All parts of the program run.");
 }
 

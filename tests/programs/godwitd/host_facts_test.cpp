@@ -1,6 +1,14 @@
 #include "programs/godwitd/host_facts.hpp"
 
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <string>
+#include <thread>
+
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "tests/programs/godwitd/scratch.hpp"
 
@@ -39,6 +47,40 @@ TEST(free_bytes_beside, is_known_for_a_file_that_is_not_there_yet_and_for_no_fol
   const test::scratch folder;
   EXPECT_GT(free_bytes_beside(folder.file("journal.db")).value_or(0), 0U);
   EXPECT_FALSE(free_bytes_beside(folder.file("nowhere/journal.db")));
+}
+
+TEST(host_facts, a_program_that_was_exchanged_while_it_runs_is_seen_within_a_period) {
+  set_time time;
+  bool is_exchanged = false;
+  host_facts facts([] { return std::optional<std::uint64_t>(); }, time, [&] { return is_exchanged; });
+  EXPECT_FALSE(facts.is_program_exchanged());
+  is_exchanged = true;
+  time.now_ns += period_ns;
+  EXPECT_TRUE(facts.is_program_exchanged());
+}
+
+// As dpkg does it: the new file is moved over the old one.
+TEST(is_without_name, a_running_program_whose_file_was_replaced) {
+  const test::scratch folder;
+  const auto program = folder.file("program");
+  std::filesystem::copy_file("/bin/sleep", program);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::execl(program.c_str(), program.c_str(), "60", nullptr);
+    ::_exit(127);
+  }
+  const auto link = "/proc/" + std::to_string(child) + "/exe";
+  std::error_code failed;
+  for (int i = 0; i < 1'000 && std::filesystem::read_symlink(link, failed) != program; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  EXPECT_EQ(std::filesystem::read_symlink(link, failed), program);
+  EXPECT_FALSE(is_without_name(link));
+  std::filesystem::copy_file("/bin/true", folder.file("program.new"));
+  std::filesystem::rename(folder.file("program.new"), program);
+  EXPECT_TRUE(is_without_name(link));
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  EXPECT_FALSE(is_without_name(link)); // nobody runs
 }
 
 } // namespace host_facts_test

@@ -25,5 +25,13 @@ TEST(actors_check, fails_when_nothing_is_known_of_them) {
   EXPECT_EQ(check_actors(seen, {}).how, verdict::fail);
 }
 
+TEST(actors_check, fails_when_another_version_was_installed_meanwhile_which_a_crash_in_flight_would_start) {
+  auto seen = good_facts();
+  seen.program.is_exchanged = true;
+  const auto found = check_actors(seen, {});
+  EXPECT_EQ(found.how, verdict::fail);
+  EXPECT_TRUE(has(found.sentence, "Start the program again.")) << found.sentence;
+}
+
 } // namespace actors_test
 } // namespace godwit::executor::preflight

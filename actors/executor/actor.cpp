@@ -405,6 +405,7 @@ flight_status actor::describe() const {
   if (core_->view().mode())
     result.mode = io::name_of(core_->view().mode()->kind);
   result.authority = core_->authority();
+  result.why_no_mission = core_->why_no_mission();
   result.state = state_token(s);
   return result;
 }

@@ -193,6 +193,18 @@ void actor::show_traffic() {
     tell(each, seen);
 }
 
+namespace {
+
+template <class M>
+const std::string& mission_of(const M& m) {
+  if constexpr (std::is_same_v<M, mission_client::report_progress>)
+    return m.report.mission_id;
+  else
+    return m.mission_id;
+}
+
+} // namespace
+
 void actor::dispatch(const durable_core::effect& each) {
   std::visit(
       [this]<class M>(const M& m) {
@@ -200,7 +212,7 @@ void actor::dispatch(const durable_core::effect& each) {
                       std::is_same_v<M, mission_client::respond_to_assignment> ||
                       std::is_same_v<M, mission_client::insert_waypoint> ||
                       std::is_same_v<M, mission_client::replace_tail>) {
-          if (others_->client)
+          if (others_->client && core_->is_of_service(mission_of(m)))
             tell(*others_->client, m);
           if constexpr (std::is_same_v<M, mission_client::report_progress>)
             show_reached(m.report);

@@ -32,7 +32,7 @@ effects core::on_client_back() {
   if (const auto id = service_.mission_under_way(); !id.empty())
     out.emplace_back(send_to_client{mission_client::begin_mission{id}});
   const bool has_ended = s.status.now == phase::post_flight || s.status.now == phase::aborted;
-  if (flight_.configured.has_service && has_ended && s.mission)
+  if (flight_.has_service() && has_ended && s.mission)
     out.emplace_back(send_to_client{mission_client::push_map{s.mission->mission_id}});
   return out;
 }

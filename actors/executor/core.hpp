@@ -183,6 +183,10 @@ public:
   [[nodiscard]] heard_traffic traffic(instant now) const {
     return flight_.traffic.all(flight_.configured.close_traffic, now.now_ns);
   }
+  // Of the operators' page; empty: one is taken.
+  [[nodiscard]] std::string why_no_mission() const;
+  // Of that mission the missions service is told.
+  [[nodiscard]] bool is_of_service(const std::string& mission_id) const { return !is_of_people(flight_.s, mission_id); }
   [[nodiscard]] known_missions missions() const {
     return list_missions(flight_, {service_.refusal(), stations_.refused_upload(), flight_.is_withdrawn()});
   }

@@ -18,11 +18,16 @@ std::string sentence_of(const mission_client::earlier_reports& earlier, const st
 } // namespace
 
 effects core::on_mission(const mission_client::mission_loaded& m, instant now) {
-  service_.on_mission(m);
   const auto& s = flight_.s;
   const auto& id = m.document.mission_id;
+  const bool is_of_people = m.cause == mission_client::load_cause::brought;
   effects out;
-  if (!flight_.configured.has_service) // which gives each new run itself
+  if (const auto why = why_no_mission(); is_of_people && !why.empty()) {
+    out.emplace_back(announce{"mission " + id + " is not taken: " + why, true});
+    return out;
+  }
+  service_.on_mission(m);
+  if (!flight_.configured.has_service || is_of_people) // else the service gives each new run itself
     flight_.as_it_came = m.document;
   auto told = s.progress;
   if (m.earlier) {
@@ -39,8 +44,13 @@ effects core::on_mission(const mission_client::mission_loaded& m, instant now) {
     return out;
   if (has_ended)
     return out; // the service tells it at each start; what was flown is not flown again by itself
-  out.emplace_back(note{mission_arrived{m.document}});
+  out.emplace_back(note{mission_arrived{m.document, is_of_people}});
   return out;
+}
+
+std::string core::why_no_mission() const {
+  const auto elsewhere = flight_.configured.has_service ? flight_.who_else_brings_missions() : std::string();
+  return elsewhere.empty() ? elsewhere : "missions come from " + elsewhere + " here";
 }
 
 // The journal is an older one than the reports of the service. On the ground a mission that has ended is not flown

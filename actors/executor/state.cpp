@@ -34,6 +34,13 @@ void give(durable_effects& out, const M& other) {
   out.emplace_back(other);
 }
 
+void keep_of_people(state& s, const std::string& mission_id) {
+  std::erase(s.of_people, mission_id);
+  s.of_people.push_back(mission_id);
+  if (s.of_people.size() > max_of_people)
+    s.of_people.erase(s.of_people.begin());
+}
+
 // What the station hears that has uploaded it in flight.
 void judge_upload(durable_effects& out, const state& s, ground_port::plan_verdict how) {
   if (s.brings && s.brings->is_upload)
@@ -174,6 +181,8 @@ durable_effects take(state& s, const mission_arrived& happened, std::int64_t) {
     s.deleted_mission.clear();
   s.arrived = happened.mission;
   s.is_arrived_ours = false;
+  if (happened.is_of_people)
+    keep_of_people(s, happened.mission.mission_id);
   return {};
 }
 
@@ -197,6 +206,7 @@ durable_effects take(state& s, const mission_taken& happened, std::int64_t now_n
 durable_effects take(state& s, const station_plan_taken& happened, std::int64_t) {
   s.station = happened.plan;
   s.arrived = happened.mission;
+  keep_of_people(s, happened.mission.mission_id);
   return {};
 }
 
@@ -375,6 +385,10 @@ durable_effects take(state& s, const home_commanded& happened, std::int64_t) {
 durable_effects take(state&, const start_resolved& happened, std::int64_t) { return {happened.answer}; }
 
 } // namespace
+
+bool is_of_people(const state& s, const std::string& mission_id) {
+  return std::ranges::find(s.of_people, mission_id) != s.of_people.end();
+}
 
 std::vector<durable_core::effect> durable_core::apply(state& s, const event& happened, std::int64_t now_ns) {
   return std::visit([&](const auto& what) { return take(s, what, now_ns); }, happened);

@@ -223,7 +223,8 @@ struct change_resolved {
 // The service has another mission, or another revision of this one. It waits until what goes on now is over.
 struct mission_arrived {
   mission::document mission;
-  GODWIT_FIELDS(mission_arrived, "executor.mission_arrived", mission);
+  bool is_of_people = false; // brought by them: the service does not know it
+  GODWIT_FIELDS(mission_arrived, "executor.mission_arrived", mission, is_of_people);
 };
 
 // The mission that has come can not be flown from here.
@@ -354,6 +355,9 @@ struct flown_change {
 // Further ones are refused until the service has answered.
 inline constexpr std::size_t max_flown_changes = 32;
 
+// Of missions that people have brought; of older ones nothing is reported any more.
+inline constexpr std::size_t max_of_people = 16;
+
 // What the service wants while something else goes on. More are turned down.
 inline constexpr std::size_t max_waiting = 8;
 
@@ -392,32 +396,37 @@ struct state {
   preflight::state preflight;
   progress::state progress;
   supervision::state supervision;
-  std::string deleted_mission; // the last one of which the service has said so
+  std::string deleted_mission;        // the last one of which the service has said so
+  std::vector<std::string> of_people; // missions that they have brought beside those of a service; newest last, bounded
 
   static constexpr int version = 1;
-  static constexpr auto fields = io::table(
-      "executor.state", io::field("mission", &state::mission), io::field("arrived", &state::arrived),
-      io::field("waiting", &state::waiting), io::field("assigned", &state::assigned),
-      io::field("last_assignment", &state::last_assignment), io::field("cut_off_uploads", &state::cut_off_uploads),
-      io::field("commanded", &state::commanded), io::field("change", &state::change),
-      io::field("flown_changes", &state::flown_changes), io::field("is_arrived_ours", &state::is_arrived_ours),
-      io::field("set_aside", &state::set_aside), io::field("station", &state::station),
-      io::field("station_fences", &state::station_fences),
-      io::field("station_breach_return_point", &state::station_breach_return_point),
-      io::field("station_rally", &state::station_rally), io::field("last_line", &state::last_line),
-      io::field("brings", &state::brings), io::field("flown", &state::flown), io::field("doing", &state::doing),
-      io::field("last_task", &state::last_task), io::field("standing", &state::status),
-      io::field("person", &state::person), io::field("awaits_word", &state::awaits_word),
-      io::field("awaits_person", &state::awaits_person), io::field("owes_state", &state::owes_state),
-      io::field("home", &state::home), io::field("has_commanded_home", &state::has_commanded_home),
-      io::field("preflight", &state::preflight), io::field("progress", &state::progress),
-      io::field("supervision", &state::supervision), io::field("deleted_mission", &state::deleted_mission));
+  static constexpr auto fields =
+      io::table("executor.state", io::field("mission", &state::mission), io::field("arrived", &state::arrived),
+                io::field("waiting", &state::waiting), io::field("assigned", &state::assigned),
+                io::field("last_assignment", &state::last_assignment),
+                io::field("cut_off_uploads", &state::cut_off_uploads), io::field("commanded", &state::commanded),
+                io::field("change", &state::change), io::field("flown_changes", &state::flown_changes),
+                io::field("is_arrived_ours", &state::is_arrived_ours), io::field("set_aside", &state::set_aside),
+                io::field("station", &state::station), io::field("station_fences", &state::station_fences),
+                io::field("station_breach_return_point", &state::station_breach_return_point),
+                io::field("station_rally", &state::station_rally), io::field("last_line", &state::last_line),
+                io::field("brings", &state::brings), io::field("flown", &state::flown),
+                io::field("doing", &state::doing), io::field("last_task", &state::last_task),
+                io::field("standing", &state::status), io::field("person", &state::person),
+                io::field("awaits_word", &state::awaits_word), io::field("awaits_person", &state::awaits_person),
+                io::field("owes_state", &state::owes_state), io::field("home", &state::home),
+                io::field("has_commanded_home", &state::has_commanded_home), io::field("preflight", &state::preflight),
+                io::field("progress", &state::progress), io::field("supervision", &state::supervision),
+                io::field("deleted_mission", &state::deleted_mission), io::field("of_people", &state::of_people));
 };
 
 // From the decision to start on.
 [[nodiscard]] inline bool is_flight_begun(const state& s) {
   return s.status.in_flight || (s.doing && s.doing->kind == task_kind::start);
 }
+
+// The service does not know such a mission, and is told nothing of it.
+[[nodiscard]] bool is_of_people(const state& s, const std::string& mission_id);
 
 // The durable core: keeps what was decided, and lets the progress decide.
 struct durable_core {

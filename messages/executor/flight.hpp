@@ -31,9 +31,11 @@ struct flight_status {
   // own), unclear (until the vehicle has told), pending (until it has answered a station's command), nobody (no flight
   // is watched).
   std::string authority = "nobody";
+  std::string why_no_mission; // of people; empty: one is taken
   std::string state; // another one whenever what a person decides by has changed: what a command can be meant for
   GODWIT_FIELDS(flight_status, "executor.flight_status", phase, cause, sentence, in_flight, mission_id, revision,
-                generation, reports, items_done, items, preflight_report, is_armed, mode, authority, state);
+                generation, reports, items_done, items, preflight_report, is_armed, mode, authority, why_no_mission,
+                state);
   friend bool operator==(const flight_status&, const flight_status&) = default;
 };
 

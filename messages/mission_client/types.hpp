@@ -155,12 +155,13 @@ struct service_status {
 
 // -- told to the executor -------------------------------------------------------------------------
 
-enum class load_cause { fetched, changed, looked_up };
+enum class load_cause { fetched, changed, looked_up, brought };
 
 constexpr auto enum_names(load_cause) {
-  return io::names<load_cause>({{load_cause::fetched, "fetched"},       // begin_mission
-                                {load_cause::changed, "changed"},       // the answer to an insert or a tail
-                                {load_cause::looked_up, "looked_up"}}); // after a change whose fate was not known
+  return io::names<load_cause>({{load_cause::fetched, "fetched"},     // begin_mission
+                                {load_cause::changed, "changed"},     // the answer to an insert or a tail
+                                {load_cause::looked_up, "looked_up"}, // after a change whose fate was not known
+                                {load_cause::brought, "brought"}});   // by people, through the operators' page
 }
 
 // Reports of the mission that the service has and this journal has not: it was lost, or another vehicle sent them.

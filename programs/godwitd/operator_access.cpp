@@ -145,7 +145,7 @@ void operator_access::close() {
 namespace {
 
 std::string why_no_missions(const daemon_settings& settings) {
-  if (settings.service)
+  if (settings.service && !settings.flight.asks_next())
     return "missions come from the service: hand it over there";
   if (settings.flight.start == executor::start_policy::automatic)
     return "this godwitd starts by itself what it is given (flight.start is automatic): missions are not taken from a "

@@ -218,9 +218,17 @@ std::string flight_context::home_sentence() const {
          " m from the home of the mission";
 }
 
+bool flight_context::has_service() const {
+  return configured.has_service && !(s.mission && is_of_people(s, s.mission->mission_id));
+}
+
 std::string flight_context::who_else_brings_missions() const {
-  if (configured.has_service)
+  const auto& next = is_flight_begun(s) || !s.arrived ? s.mission : s.arrived;
+  const bool is_free = waits_for_next() || (next && is_of_people(s, next->mission_id));
+  if (configured.has_service && !(configured.asks_next() && is_free))
     return "the missions service";
+  if (configured.has_service && configured.start == start_policy::automatic)
+    return "the missions service, which flies them by itself (flight.start is automatic),";
   return configured.mission_id.empty() ? std::string() : std::string("a file");
 }
 

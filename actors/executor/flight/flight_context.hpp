@@ -168,7 +168,10 @@ struct flight_context {
   [[nodiscard]] bool commands_home() const { return keeps_home() && !is_ardupilot(); }
   [[nodiscard]] std::string home_sentence() const; // where its returns lead, and how far that is off
 
-  // Than ground stations; empty: nobody.
+  // Of the mission that is flown or prepared: a service has given it, or gives the next one.
+  [[nodiscard]] bool has_service() const;
+  // Than ground stations and the operators' page; empty: nobody. Beside a service that gives one mission after the
+  // other theirs is taken while none of the service's is under way.
   [[nodiscard]] std::string who_else_brings_missions() const;
 
   // -- what is left of a mission

@@ -14,6 +14,8 @@ mission_origin origin_of(const flight_context& flight, const std::string& missio
   if (flight.s.station && flight.s.station->mission_id == mission_id)
     return mission_origin::station;
   const auto& configured = flight.configured;
+  if (configured.has_service && is_of_people(flight.s, mission_id))
+    return mission_origin::upload;
   const bool is_configured = !configured.mission_id.empty() && configured.mission_id == mission_id;
   if (configured.has_service)
     return is_configured || configured.asks_next() ? mission_origin::service : mission_origin::unknown;

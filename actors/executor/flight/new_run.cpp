@@ -13,7 +13,7 @@ std::string why_no_new_run(const flight_context& flight) {
     return "the flight is not ready: " + flight.sentence();
   if (flight.has_person())
     return "the vehicle has to be handed back first: " + s.status.reason;
-  if (flight.configured.has_service)
+  if (flight.has_service())
     return "mission " + s.mission->mission_id +
            " is over: the missions service has to give it a new revision, or another one";
   if (uploaded_mission(s) == nullptr && !flight.as_it_came)
@@ -33,7 +33,7 @@ bool begin_new_run(flight_context& flight, effects& out, instant now) {
     auto next = *flight.as_it_came;
     next.mission_id = mission::uuid_of_text("a run of " + next.mission_id + " at " + std::to_string(now.wall_ns));
     id = next.mission_id;
-    out.emplace_back(note{mission_arrived{std::move(next)}});
+    out.emplace_back(note{mission_arrived{std::move(next), true}});
   }
   out.emplace_back(announce{"mission " + flight.s.mission->mission_id + " is prepared again from its first item, as " +
                                 id + "; start it when it is ready",

@@ -34,7 +34,7 @@ bool has_person(const flight_context& c) { return c.has_person(); }
 bool waits_in_air(const flight_context& c) { return c.is_in_flight() && c.hovers() && c.is_in_air(); }
 bool is_flown_to_end(const flight_context& c) { return c.is_in_flight() && is_plan_finished(c); }
 bool has_more_plans(const flight_context& c) { return !c.has_person() && c.is_plan_finished(); }
-bool owes_delivery(const flight_context& c) { return c.is_mission_finished() && c.configured.has_service; }
+bool owes_delivery(const flight_context& c) { return c.is_mission_finished() && c.has_service(); }
 bool is_mission_finished(const flight_context& c) { return c.is_mission_finished(); }
 bool holds_foreign_plan(const flight_context& c) {
   return c.is_in_flight() && c.s.progress.paused == progress::pause_reason::foreign_plan;

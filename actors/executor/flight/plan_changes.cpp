@@ -271,7 +271,7 @@ bool plan_changes::stands_for_change(effects& out, instant now) {
   if (wanted.held_since_ns == 0)
     wanted.held_since_ns = now.now_ns;
   const bool circles = flight_.view.owner().vehicle == flight::vehicle_class::fixed_wing;
-  const bool goes_straight = flight_.configured.has_service && flight_.s.mission->geofences.empty();
+  const bool goes_straight = flight_.has_service() && flight_.s.mission->geofences.empty();
   return circles || goes_straight || flight_.view.stands() || now.now_ns - wanted.held_since_ns >= stands_within_ns;
 }
 
@@ -302,7 +302,7 @@ void plan_changes::ask_for(effects& out, const plan_change& what, instant now) {
   const auto number = ids::text_of({changes, static_cast<std::uint64_t>(now.wall_ns)});
   change_asked asked;
   const auto& refused = flight_.refused_revision;
-  const bool has_refused = flight_.configured.has_service && refused && refused->first == mission.mission_id;
+  const bool has_refused = flight_.has_service() && refused && refused->first == mission.mission_id;
   const auto revision = has_refused ? std::max(mission.revision, refused->second) : mission.revision;
   asked.what = {ids::derived_uuid(mission.mission_id, number), what.kind, revision};
   asked.after_item_id = what.after_item_id;
@@ -312,7 +312,7 @@ void plan_changes::ask_for(effects& out, const plan_change& what, instant now) {
   asked.what.said_ns = wall_ns_of(what.said_ns, now);
   waits_for_.emplace(awaited{asked.what.key, fly_at_ns(what.said_ns, now)});
   out.emplace_back(note{std::move(asked)});
-  if (!flight_.configured.has_service)
+  if (!flight_.has_service())
     out.emplace_back(note{mission_arrived{*std::move(revised)}});
   else if (flight_.is_held() && what.kind != change_kind::insert)
     phases_.go(out, trigger::held, "held: the missions service is asked for the change of the mission");

@@ -76,7 +76,7 @@ preflight::report preparation::look_at_all(instant now) {
   seen.mission.refusal = why_no_mission();
   seen.mission.is_deleted = flight_.is_withdrawn();
   seen.mission.is_brought = flight_.s.status.now == phase::ready;
-  seen.mission.has_service = flight_.configured.has_service;
+  seen.mission.has_service = flight_.has_service();
   seen.mission.map = service_.map();
   seen.mission.map_problem = service_.map_problem();
   if (const auto where = flight_.setting(now); where && mission) {

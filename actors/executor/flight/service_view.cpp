@@ -10,6 +10,8 @@ using mission_client::pull_state;
 // -- what it tells ----------------------------------------------------------------------------------
 
 void service_view::on_mission(const mission_client::mission_loaded& m) {
+  if (m.cause == mission_client::load_cause::brought)
+    return;
   refusal_.clear();
   may_begin_again_ = false;
   next_at_ns_ = 0;
@@ -55,7 +57,7 @@ void service_view::forget_told() {
 // -- what is asked ----------------------------------------------------------------------------------
 
 bool service_view::wants_status() const {
-  return flight_.configured.has_service && !flight_.is_in_flight() && flight_.s.mission && map_ != pull_state::synced &&
+  return flight_.has_service() && !flight_.is_in_flight() && flight_.s.mission && map_ != pull_state::synced &&
          !is_over(flight_.s.status.now);
 }
 
@@ -70,7 +72,7 @@ void service_view::ask_again(effects& out, instant now) {
     out.emplace_back(send_to_client{mission_client::begin_mission{flight_.configured.mission_id}});
     return;
   }
-  if ((wants_status() || (at_once && flight_.s.mission)) && !flight_.is_mission_deleted())
+  if ((wants_status() || (at_once && flight_.s.mission && flight_.has_service())) && !flight_.is_mission_deleted())
     ask_for_map(out, now, at_once);
 }
 
@@ -121,7 +123,7 @@ void service_view::ask_for_map(effects& out, instant now, bool at_once) {
 }
 
 std::string service_view::pull() {
-  if (!flight_.configured.has_service)
+  if (!flight_.has_service() && !flight_.waits_for_next())
     return "the mission does not come from a missions service: there is nothing to pull";
   if (flight_.is_in_flight())
     return "a flight is under way; the map is pulled on the ground";
@@ -148,9 +150,9 @@ std::string service_view::mission_under_way() const {
   const auto& s = flight_.s;
   if (!flight_.configured.asks_next())
     return flight_.configured.has_service ? flight_.configured.mission_id : std::string();
-  if (s.arrived)
-    return s.arrived->mission_id;
-  return s.mission && !flight_.waits_for_next() ? s.mission->mission_id : std::string();
+  const auto& next = s.arrived ? s.arrived : s.mission;
+  const bool is_theirs = next && !is_of_people(s, next->mission_id);
+  return is_theirs && (s.arrived || !flight_.waits_for_next()) ? next->mission_id : std::string();
 }
 
 bool service_view::is_copy_accepted() const {

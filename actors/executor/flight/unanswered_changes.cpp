@@ -29,7 +29,7 @@ std::int64_t plan_changes::fly_at_ns(std::int64_t said_ns, instant now) const {
 bool plan_changes::may_fly_unanswered() const {
   const auto& s = flight_.s;
   return s.change && !s.change->is_flown && !s.change->items.empty() && s.mission && !s.arrived && s.waiting.empty() &&
-         flight_.configured.has_service && !flight_.configured.changes_need_service;
+         flight_.has_service() && !flight_.configured.changes_need_service;
 }
 
 bool plan_changes::is_too_old(std::int64_t said_ns, instant now) { return now.wall_ns - said_ns > oldest_ns; }

@@ -57,6 +57,8 @@ void mission_handler::look_at_flight(const upload_ptr& asked, const principal& w
   ask_about(*asked, others_.flight, executor::get_flight{}, [this, asked, who](const executor::flight_status& flight) {
     if (flight.in_flight)
       return refuse(*asked, who, verdict::refused, "a flight is under way; another mission is taken on the ground");
+    if (!flight.why_no_mission.empty())
+      return refuse(*asked, who, verdict::refused, flight.why_no_mission);
     hand_over(asked, who);
   });
 }
@@ -64,6 +66,7 @@ void mission_handler::look_at_flight(const upload_ptr& asked, const principal& w
 // Were it to take off in between: the mission has another id, and waits until that flight is over.
 void mission_handler::hand_over(const upload_ptr& asked, const principal& who) {
   mission_client::mission_loaded loaded;
+  loaded.cause = mission_client::load_cause::brought;
   loaded.document = asked->mission;
   tell(others_.missions, loaded);
   const auto& id = asked->mission.mission_id;

@@ -47,7 +47,9 @@ flight_world::flight_world(const options& wanted)
     : who_(wanted.who), map_(wanted.map), failsafe_settings_(wanted.failsafe), link_(new_link()),
       test_rng_(wanted.seed), lost_(wanted.lost), doubled_(wanted.doubled), late_(wanted.late),
       most_delay_ms_(wanted.most_delay_ms), keeps_order_(wanted.keeps_order) {
-  if (wanted.has_service)
+  if (wanted.asks_next)
+    settings_.vehicle_id = "bird-1";
+  else if (wanted.has_service)
     settings_.mission_id = short_mission(wanted.who).mission_id;
   settings_.has_service = wanted.has_service;
   settings_.start = wanted.start;

@@ -38,6 +38,7 @@ public:
     executor::start_policy takeoff_again = executor::start_policy::on_command;
     double speed = 5; // of the vehicle's world
     bool has_service = true;
+    bool asks_next = false; // it gives one mission after the other
     bool shows_home = false;
     bool brings_last_line = true;
     bool marks_landings = false; // of a plane

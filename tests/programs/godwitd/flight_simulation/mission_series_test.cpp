@@ -12,6 +12,7 @@
 #include "programs/godwit-drill/flight_simulation/flight_judge.hpp"
 #include "programs/godwit-drill/flight_simulation/short_mission.hpp"
 #include "tests/support/run_options.hpp"
+#include "tests/support/station_items.hpp"
 
 namespace mission_series_test {
 
@@ -137,6 +138,39 @@ TEST_P(mission_series, after_a_mission_that_was_called_off_the_next_waits_for_a_
   EXPECT_EQ(starts_since(flight, since_ns), 0) << flight.story();
   EXPECT_TRUE(flight.reports_of(ids[1]).empty());
   EXPECT_TRUE(fly(flight, ids[1], [] {})) << flight.story();
+}
+
+// The service hears nothing of it, whatever is killed in its flight.
+TEST_P(mission_series, a_stations_plan_is_flown_between_two_missions_of_the_service) {
+  flight_simulation flight({.who = GetParam(),
+                            .starts_by_itself = false,
+                            .speaks_as_autopilot = true,
+                            .takes_next = true,
+                            .is_recorded = true});
+  ASSERT_TRUE(fly(flight, flight.mission_id(), [] {})) << flight.story();
+  ASSERT_TRUE(flight.run_until_phase(phase::done, 60)) << flight.story();
+  flight.station().upload(tests::station_items(GetParam()));
+  ASSERT_TRUE(flight.run_until([&] { return flight.station().plan_answer().has_value(); }, 10)) << flight.story();
+  EXPECT_EQ(flight.station().plan_answer(), std::uint8_t{0}) << flight.story();
+  ASSERT_TRUE(flight.run_until_phase(phase::ready, 120)) << flight.story();
+  flight.vehicle().set_battery(100, flight.now_ns());
+  flight.station().start_mission(0, 0);
+  ASSERT_TRUE(flight.run_until_phase(phase::flying, 60)) << flight.story();
+  for (const auto* each : {"executor", "mission_client"}) {
+    flight.run_for(3);
+    (void)flight.process()->kill(each);
+  }
+  flight.run_for(3);
+  flight.kill_process();
+  ASSERT_TRUE(flight.run_until_phase(phase::done, 300)) << flight.story();
+  for (const auto status : {404U, 409U, 410U, 422U})
+    EXPECT_EQ(flight.service().answers_to_reports(status), 0U) << status;
+  const auto next = mission_of(GetParam(), 1);
+  flight.service().add_mission(next, flight.now_ns());
+  ASSERT_TRUE(fly(flight, next.mission_id, [] {})) << flight.story();
+  for (const auto& each : {flight.mission_id(), next.mission_id})
+    EXPECT_EQ(flaw_of_mission(flight, each), "") << flight.story();
+  EXPECT_TRUE(flight.record().broken().empty()) << flight.record().broken().front();
 }
 
 // An ArduPilot's copter is not armed in AUTO, in which its mission has left it.

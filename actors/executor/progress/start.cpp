@@ -45,9 +45,11 @@ void take(decision_context& t, const start_ended& what) {
   catch_up(t);
   if (!is_way_home(t.s.plan->map))
     t.s.paused.reset();
+  auto never_near = std::exchange(t.s.plan->generation.never_near, {}); // of what was held back
   open_generation(t, generation_origin::start, start.sequence);
   t.s.plan->generation.was_active = start.was_incomplete;
   t.s.plan->generation.was_beyond = start.was_beyond;
+  t.s.plan->generation.never_near = std::move(never_near);
   release_held(t);
 }
 

@@ -27,14 +27,20 @@ void plan_watch::follow_plan(instant now) {
   if (!s.progress.plan || !s.flown || !flight_.view.mode())
     return;
   const auto& g = s.progress.plan->generation;
+  if (s.progress.start && start_ns_ == 0)
+    start_ns_ = now.now_ns;
   if (followed_ != g.number) {
     const auto again_ns = flight_.view.unbroken_since_ns();
-    const bool is_just_heard = again_ns != 0 && now.now_ns - again_ns < heard_again_ns;
+    const bool was_heard_at_start = g.origin == progress::generation_origin::start && again_ns <= start_ns_;
+    const bool is_just_heard = again_ns != 0 && now.now_ns - again_ns < heard_again_ns && !was_heard_at_start;
     const bool is_found = g.is_found || is_just_heard || (!followed_ && g.is_armed);
-    track_.begin(s.flown->items, flight_.view.owner().vehicle, flight_.configured.own_loiter_radius_m,
-                 is_found ? 0 : now.now_ns);
+    const bool was_seen = g.is_found && was_heard_at_start && followed_; // where it was since counts
+    if (!was_seen)
+      track_.begin(s.flown->items, flight_.view.owner().vehicle, flight_.configured.own_loiter_radius_m,
+                   is_found ? 0 : now.now_ns);
     followed_ = g.number;
     resolved_ = g.resolved;
+    start_ns_ = 0;
   }
   if (resolved_ != g.resolved)
     track_.on_left(now.now_ns);
@@ -98,16 +104,18 @@ void plan_watch::on_transfer(effects& out, std::uint64_t number, const transfer:
 // What it has moved on to before counts as well: a word about another plan may come before that is adopted.
 std::vector<std::uint16_t> plan_watch::never_near(std::uint16_t sequence, told how) const {
   const auto& plan = flight_.s.progress.plan;
-  if (!plan || followed_ != plan->generation.number || !plan->generation.is_armed)
+  if (!plan || followed_ != plan->generation.number)
     return {};
   const auto& g = plan->generation;
+  const auto& start = flight_.s.progress.start; // what comes in it counts from there on when it has ended
+  const auto first = start ? start->sequence : g.is_armed ? g.current : g.start_sequence;
   auto end = how == told::at ? int{sequence} : sequence + 1;
   if (const auto loop = progress::loop_between(plan->map, g.moved_to.value_or(g.current), sequence))
     end = loop->jump_sequence; // all up to the jump would be flown
   end = std::max({end, int{g.moved_to.value_or(0)}, g.complete_upto ? *g.complete_upto + 1 : 0});
-  if (end <= g.current)
+  if (end <= first)
     return {};
-  return track_.never_near(g.current, static_cast<std::uint16_t>(end - 1),
+  return track_.never_near(first, static_cast<std::uint16_t>(end - 1),
                            how == told::reached ? std::optional(sequence) : std::nullopt);
 }
 

@@ -49,6 +49,7 @@ private:
   track track_;
   std::optional<std::uint32_t> followed_; // the generation whose places the track has
   std::uint32_t resolved_ = 0;            // of it
+  std::int64_t start_ns_ = 0;             // when the next one was about to begin by a start; 0: it is not
   std::uint64_t reading_ = 0;             // the number of the download; 0: none
   std::uint64_t last_number_ = first_of_plan_watch;
   std::int64_t begun_ns_ = 0; // that download

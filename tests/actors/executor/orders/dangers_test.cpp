@@ -413,6 +413,27 @@ TEST_P(danger, an_item_that_somebody_else_chooses_right_after_the_start_is_not_t
   EXPECT_FALSE(is_reported(world, progress_kind::reached, "w1")) << world.story();
 }
 
+// The vehicle has not moved when it first reports that item as its own.
+TEST_P(danger, an_item_that_somebody_else_chooses_in_a_start_is_not_taken_for_the_way_there) {
+  int tried = 0;
+  for (const double seconds : {0.0, 0.05, 0.1, 0.2, 0.4}) {
+    auto wanted = settings();
+    wanted.most_delay_ms = 40;
+    flight_world world(wanted);
+    world.load(tests::short_mission(who()));
+    ASSERT_TRUE(world.run_until_phase(phase::ready)) << world.story();
+    ASSERT_TRUE(world.say(command_kind::start).is_taken);
+    ASSERT_TRUE(world.run_until([&] { return world.arms() > 0; }, 10)) << world.story();
+    world.run_for(seconds);
+    tried += world.durable().status.in_flight ? 0 : 1;
+    ASSERT_TRUE(choose_item(world, who(), "w3"));
+    world.run_for(15);
+    EXPECT_FALSE(is_reported(world, progress_kind::reached, "w1")) << seconds << " s\n" << world.story();
+    EXPECT_FALSE(is_reported(world, progress_kind::reached, "w2")) << seconds << " s\n" << world.story();
+  }
+  EXPECT_GT(tried, 0);
+}
+
 std::string name_of_case(const testing::TestParamInfo<std::tuple<personality, bool>>& info) {
   constexpr std::array names{"rover", "px4", "copter", "plane"}; // by personality
   return std::string(names.at(static_cast<std::size_t>(std::get<0>(info.param)))) +

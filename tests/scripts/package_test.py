@@ -20,6 +20,7 @@ class Package(unittest.TestCase):
         self.folder = Path(self.scratch.name)
         (self.folder / "bin").mkdir()
         (self.folder / "state").mkdir()
+        self.tool("deb-systemd-invoke", "exit 0")
         self.program = self.folder / "daemon" / "godwitd"
         self.program.parent.mkdir()
         shutil.copy("/bin/sleep", self.program)
@@ -30,12 +31,17 @@ class Package(unittest.TestCase):
         program = self.folder / "bin" / "godwitd"
         program.unlink(missing_ok=True)
         if what is not None:
-            program.write_text(f'#!/bin/sh\necho "$PWD: $*" >>{self.folder}/asked\n{what}\n', encoding="utf-8")
-            program.chmod(0o755)
+            self.tool("godwitd", f'echo "$PWD: $*" >>{self.folder}/asked\n{what}')
+
+    def tool(self, name, what):
+        program = self.folder / "bin" / name
+        program.write_text(f"#!/bin/sh\n{what}\n", encoding="utf-8")
+        program.chmod(0o755)
 
     def dpkg(self, name, *words, package="godwit"):
         text = SCRIPT.read_text(encoding="utf-8")
-        for what, instead in (("/usr/bin/godwitd", self.program), ("/var/lib/godwit", self.folder / "state")):
+        for what, instead in (("programs=/usr/bin\n", f"programs={self.program.parent}\n"), ("/var/lib/godwit", self.folder / "state"),
+                              ("/run/systemd/system", self.folder / "bin")):
             self.assertIn(what, text)
             text = text.replace(what, str(instead))
         tested = self.folder / name
@@ -76,6 +82,17 @@ class Package(unittest.TestCase):
         refused = self.dpkg("prerm", "remove", package="godwit-eyes")
         self.assertEqual(refused.returncode, 1)
         self.assertIn("the removal is refused while a flight is under way", refused.stderr)
+
+    def test_a_removal_on_the_ground_stops_the_service_and_that_of_the_helper_does_not(self):
+        self.tool("deb-systemd-invoke", f'echo "$*" >>{self.folder}/invoked')
+        invoked = self.folder / "invoked"
+        self.assertEqual(self.dpkg("prerm", "remove", package="godwit-eyes").returncode, 0)
+        self.assertFalse(invoked.exists())
+        self.assertEqual(self.dpkg("prerm", "remove").returncode, 0)
+        self.assertEqual(invoked.read_text(encoding="utf-8"), "stop godwitd.service\n")
+        self.installed("exit 1")
+        self.assertEqual(self.dpkg("prerm", "remove").returncode, 1)
+        self.assertEqual(invoked.read_text(encoding="utf-8"), "stop godwitd.service\n")
 
     def test_on_the_ground_the_service_is_asked_where_it_runs_and_nothing_is_refused(self):
         for words in (("preinst", "upgrade", "0.1.0", "0.2.0"), ("preinst", "upgrade", "0.1.0", "0.1.0"), ("prerm", "remove")):

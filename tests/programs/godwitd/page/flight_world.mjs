@@ -145,6 +145,26 @@ export class flight_world {
     return page;
   }
 
+  // Debian's Firefox, over WebDriver BiDi: Playwright drives only its own. The page has those of Playwright's words that
+  // log_in(), hold() and value_of() say.
+  async open_firefox({ size = wide } = {}) {
+    const puppeteer = load("puppeteer-core");
+    this.firefox ??= await puppeteer.launch({ browser: "firefox", protocol: "webDriverBiDi", executablePath: "/usr/bin/firefox-esr",
+      headless: true, userDataDir: join(this.folder, "firefox"), env: { ...process.env, HOME: this.folder } });
+    const page = await this.firefox.newPage();
+    await page.setViewport(size);
+    page.said = [];
+    page.asked_elsewhere = [];
+    page.on("console", (line) => line.type() === "error" && page.said.push(line.text()));
+    page.on("pageerror", (error) => page.said.push(String(error)));
+    page.on("request", (asked) => new URL(asked.url()).hostname === "127.0.0.1" || asked.url().startsWith("data:") ||
+      page.asked_elsewhere.push(asked.url()));
+    page.textContent = async (where) => (await page.waitForSelector(where)).evaluate((found) => found.textContent);
+    page.fill = async (where, words) => (await page.waitForSelector(where)).type(words);
+    await page.goto(`http://${this.address}/`);
+    return page;
+  }
+
   async log_in(page, name = "anna") {
     await page.click("#show-login");
     await page.fill("input[name=name]", name);
@@ -155,6 +175,7 @@ export class flight_world {
 
   async end() {
     await this.browser?.close();
+    await this.firefox?.close();
     await this.daemon?.kill("SIGTERM");
     await this.vehicle?.kill();
     await this.service?.kill();

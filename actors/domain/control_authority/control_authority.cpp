@@ -19,6 +19,7 @@ constexpr flight_mode not_known{mode_kind::unknown, std::numeric_limits<std::uin
 void control_authority::begin(const flight_mode& mode) {
   failsafe_told_ns_.reset();
   breach_told_ns_.reset();
+  landing_told_ns_.reset();
   told_.reset();
   drop_expected(mode);
   adopt(mode, holder::godwit);
@@ -42,6 +43,7 @@ void control_authority::end() { *this = {}; }
 
 void control_authority::adopt(const flight_mode& mode, holder who) {
   ours_ = mode;
+  ours_since_ns_.reset();
   who_ = who;
   was_ordered_ = false;
   unclear_.reset();
@@ -136,12 +138,17 @@ void control_authority::on_mode(const mode_owner& whose, const flight_mode& mode
   if (expects(mode, now_ns)) {
     drop_expected(mode);
     adopt(mode, holder::godwit);
+    ours_since_ns_ = now_ns;
     was_ordered_ = true;
     is_uncertain_ = mode.kind == mode_kind::hold && !is_acknowledged_;
     return;
   }
   if (follows_by_itself(whose, ours_->custom_mode, mode.custom_mode, was_ordered_))
     return adopt(mode, who_);
+  if (!unclear_ && may_be_landing(whose, mode, now_ns)) {
+    unclear_ = change{mode, now_ns, is_critical, false, true};
+    return on_time(now_ns);
+  }
   if (leads_to(mode) && !unclear_) {
     unclear_ = change{mode, now_ns, is_critical, false};
     return on_time(now_ns);
@@ -201,7 +208,10 @@ void control_authority::on_text(const mode_owner& whose, std::string_view text, 
     failsafe_told_ns_ = now_ns;
   else if (tells_fence_breach(text))
     breach_told_ns_ = now_ns;
-  else
+  else if (tells_landing_of_plan(text)) {
+    landing_told_ns_ = now_ns;
+    return on_time(now_ns);
+  } else
     return;
   if (who_ == holder::person && taken_ns_ && is_told(*taken_ns_))
     who_ = holder::autopilot_failsafe;
@@ -215,15 +225,33 @@ bool control_authority::is_told(std::int64_t since_ns) const {
 void control_authority::on_time(std::int64_t now_ns) {
   if (!unclear_)
     return;
+  if (unclear_->is_landing)
+    return judge_landing(now_ns);
   if (is_at_end()) {
-    const auto to = unclear_->to;
+    const auto seen = *unclear_;
     plan_end_.modes.clear(); // believed once
     expected_.clear();
-    return adopt(to, holder::autopilot_end);
+    adopt(seen.to, holder::autopilot_end);
+    ours_since_ns_ = seen.since_ns;
+    return;
   }
   const bool is_denied = place_heard_ns_ >= unclear_->since_ns + end_is_denied_after_ns;
   if (is_denied || now_ns >= unclear_->since_ns + end_is_told_within_ns)
     lose(unclear_->is_critical || unclear_->is_by_itself, unclear_->since_ns);
+}
+
+// Out of a return that was just seen to begin.
+bool control_authority::may_be_landing(const mode_owner& whose, const flight_mode& mode, std::int64_t now_ns) const {
+  return ours_since_ns_ && now_ns - *ours_since_ns_ <= landing_begins_within_ns &&
+         may_land_by_plan(whose, ours_->custom_mode, mode.custom_mode);
+}
+
+void control_authority::judge_landing(std::int64_t now_ns) {
+  const auto seen = *unclear_;
+  if (landing_told_ns_ && std::abs(seen.since_ns - *landing_told_ns_) <= landing_is_told_within_ns)
+    adopt(seen.to, who_);
+  else if (now_ns - seen.since_ns > landing_is_told_within_ns)
+    lose(seen.is_critical, seen.since_ns);
 }
 
 void control_authority::lose(bool is_critical, std::int64_t since_ns) {

@@ -16,7 +16,9 @@
 // vehicle says that it is at its end: until MISSION_CURRENT has told so, or has not for 4 s, it is unclear who has the
 // vehicle, and nothing may be sent. A person who puts the mode back still has it: only begin() gives it back. An
 // ArduPilot's own failsafe is known by its words, which come just before or just after the mode; they only change whose
-// a change is called, and never make it godwit's. Executor and failsafe have one each, and a person whom either has
+// a change is called, and never make it godwit's. A plane whose return goes on at once with the landing of its plan
+// (RTL_AUTOLAND 2) shows its mission mode, and says so in the same moment: that is part of the return. Executor and
+// failsafe have one each, and a person whom either has
 // seen is a person for both. Monotonic nanoseconds. Thread: pure.
 //
 // CURRENT_MODE (PX4) shows a change between two heartbeats, and also the mode that somebody has asked for last. Where
@@ -59,6 +61,11 @@ inline constexpr std::int64_t failsafe_is_told_within_ns = 3'000'000'000;
 // The same of a breach of its own fence, which is told where the mode stays as well: HEARTBEAT and text come in the
 // same millisecond, and a pilot who hears of it needs longer.
 inline constexpr std::int64_t breach_is_told_within_ns = 200'000'000;
+
+// A plane that lands by its plan does so in the cycle after that in which it has begun to return, within 10 ms as
+// recorded, and says it within 2 ms of the mode. Whoever lands it by a command of his own needs longer.
+inline constexpr std::int64_t landing_begins_within_ns = 1'000'000'000;
+inline constexpr std::int64_t landing_is_told_within_ns = 200'000'000;
 
 // CURRENT_MODE, and what the newest heartbeat says of the autopilot itself.
 struct told_modes {
@@ -122,6 +129,7 @@ private:
     std::int64_t since_ns = 0;
     bool is_critical = false;
     bool is_by_itself = false; // nobody has asked for it
+    bool is_landing = false;   // if the vehicle says that its return lands by the plan
   };
 
   void adopt(const flight_mode& mode, holder who);
@@ -131,6 +139,8 @@ private:
   void change_by_itself(const told_modes& told, std::int64_t now_ns);
   [[nodiscard]] bool is_told(std::int64_t since_ns) const;
   void lose(bool is_critical, std::int64_t since_ns);
+  [[nodiscard]] bool may_be_landing(const mode_owner& whose, const flight_mode& mode, std::int64_t now_ns) const;
+  void judge_landing(std::int64_t now_ns);
   void judge_intention(const mode_owner& whose, const told_modes& told, const std::optional<told_modes>& before,
                        std::int64_t now_ns);
   [[nodiscard]] bool leads_to(const flight_mode& mode) const;
@@ -154,7 +164,9 @@ private:
   bool awaits_heartbeat_ = false;  // for what has changed the mode that was told
   std::optional<std::int64_t> failsafe_told_ns_;
   std::optional<std::int64_t> breach_told_ns_;
-  std::optional<std::int64_t> taken_ns_; // by a person, as the mode alone shows
+  std::optional<std::int64_t> landing_told_ns_;
+  std::optional<std::int64_t> ours_since_ns_; // where it was seen to begin
+  std::optional<std::int64_t> taken_ns_;      // by a person, as the mode alone shows
 };
 
 } // namespace godwit::flight

@@ -9,6 +9,7 @@ using io::mavlink::mav_autopilot;
 using io::mavlink::mav_cmd;
 using io::mavlink::number;
 
+constexpr std::uint32_t plane_auto = 10;
 constexpr std::uint32_t plane_rtl = 11;
 constexpr std::uint32_t plane_qland = 20;
 constexpr std::uint32_t plane_qrtl = 21;
@@ -77,6 +78,10 @@ plan_end plan_end_of(const mode_owner& whose, std::uint16_t last_command, std::u
 bool may_follow_disarm(const mode_owner& whose, std::uint32_t custom_mode) {
   return is_px4(whose) &&
          (custom_mode == number_of(whose, mode_kind::mission) || custom_mode == number_of(whose, mode_kind::hold));
+}
+
+bool may_land_by_plan(const mode_owner& whose, std::uint32_t before, std::uint32_t after) {
+  return is_plane(whose) && before == plane_rtl && after == plane_auto;
 }
 
 bool follows_by_itself(const mode_owner& whose, std::uint32_t before, std::uint32_t after, bool was_ordered) {

@@ -44,6 +44,10 @@ namespace godwit::flight {
 // A disarm may lead there by itself: a PX4 goes back to its mission mode, or to a hold where that is finished.
 [[nodiscard]] bool may_follow_disarm(const mode_owner& whose, std::uint32_t custom_mode);
 
+// An ArduPlane with RTL_AUTOLAND 2 goes from its return into AUTO at the landing of its plan, and says so
+// (ModeRTL::navigate(), mode_rtl.cpp); a person who puts AUTO back does not make it say anything.
+[[nodiscard]] bool may_land_by_plan(const mode_owner& whose, std::uint32_t before, std::uint32_t after);
+
 // The autopilot goes from one to the other without anybody's doing. WAS_ORDERED: by us, into the one before. By the
 // text alone a return that was ordered may end in a hold; in a return that a person has ordered a hold is a person's
 // too.

@@ -38,6 +38,8 @@ bool tells_fence_breach(std::string_view text) {
 
 bool tells_new_plan(std::string_view text) { return begins_with_one_of(text, new_plan); }
 
+bool tells_landing_of_plan(std::string_view text) { return text == "Landing sequence start"; }
+
 bool tells_why_not_armed(std::string_view text) { return begins_with_one_of(text, not_armed); }
 
 } // namespace godwit::flight

@@ -28,6 +28,10 @@ namespace godwit::flight {
 // plan received" (to whoever has uploaded it). An upload of ours makes it say so as well.
 [[nodiscard]] bool tells_new_plan(std::string_view text);
 
+// An ArduPlane goes on with the landing of its plan: "Landing sequence start", of itself out of a return
+// (RTL_AUTOLAND, jump_to_landing_sequence() in AP_Mission.cpp), or because somebody has said DO_LAND_START.
+[[nodiscard]] bool tells_landing_of_plan(std::string_view text);
+
 // Why it can not be armed: "PreArm: Compass not calibrated" (ArduPilot), "Preflight Fail: ..." (PX4).
 [[nodiscard]] bool tells_why_not_armed(std::string_view text);
 

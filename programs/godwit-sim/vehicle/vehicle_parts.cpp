@@ -30,7 +30,7 @@ std::unique_ptr<autopilot> make_autopilot(const vehicle_settings& settings, cons
     return std::make_unique<copter>(with);
   case personality::plane:
   case personality::quadplane:
-    return std::make_unique<plane>(with, settings.rtl_autoland != 0);
+    return std::make_unique<plane>(with, settings.rtl_autoland);
   case personality::ardurover:
     return std::make_unique<ardu_rover>(with);
   }

@@ -86,6 +86,34 @@ TEST(plane_flight, called_home_it_circles_there_until_somebody_lands_it) {
   EXPECT_TRUE(world.durable().status.in_flight) << world.story();
 }
 
+// A real one with RTL_AUTOLAND 2, called home, was in AUTO 10 ms after RTL: that was called a pilot's.
+TEST(plane_flight, called_home_it_lands_by_the_landing_of_its_plan_and_that_is_nobodys_takeover) {
+  flight_world world({.who = plane, .marks_landings = true, .rtl_autoland = 2});
+  ASSERT_TRUE(fly_to(world, plane_mission(), progress_kind::reached, "w1"));
+  const auto orders = world.orders();
+  ASSERT_TRUE(world.say(command_kind::come_home).is_taken);
+  ASSERT_TRUE(world.run_until_phase(phase::landing, 20)) << world.story();
+  ASSERT_TRUE(world.run_until([&] { return world.vehicle().describe().mode == "AUTO"; }, 5)) << world.story();
+  ASSERT_TRUE(world.run_until_phase(phase::aborted, 900)) << world.story();
+  EXPECT_FALSE(needs_hand_back(world.durable().status.cause)) << world.story();
+  EXPECT_EQ(world.orders(), orders + 1) << "it is called home once\n" << world.story();
+  EXPECT_FALSE(world.vehicle().describe().armed);
+  EXPECT_FALSE(is_told(world, progress_kind::reached, "home")) << world.story();
+}
+
+TEST(plane_flight, a_person_who_calls_it_home_to_the_landing_of_its_plan_has_it_until_it_stands) {
+  constexpr std::uint32_t rtl = 11;
+  flight_world world({.who = plane, .marks_landings = true, .rtl_autoland = 2});
+  ASSERT_TRUE(fly_to(world, plane_mission(), progress_kind::reached, "w1"));
+  world.switch_mode(rtl);
+  ASSERT_TRUE(world.run_until([&] { return world.durable().status.cause == pause_cause::taken_over; }, 6))
+      << world.story();
+  const auto orders = world.orders();
+  ASSERT_TRUE(world.run_until([&] { return !world.vehicle().describe().armed; }, 300)) << world.story();
+  EXPECT_EQ(world.durable().status.cause, pause_cause::taken_over) << world.story();
+  EXPECT_EQ(world.orders(), orders) << world.story();
+}
+
 TEST(plane_flight, after_a_last_waypoint_it_comes_home_by_itself_and_that_is_nobodys_takeover) {
   flight_world world({.who = plane});
   auto mission = plane_mission();

@@ -9,12 +9,15 @@ namespace {
 using mavlink::mav_cmd;
 using mavlink::mav_severity;
 
+constexpr int lands_at_once = 2; // RTL_AUTOLAND
+
 } // namespace
 
 // -- arming and modes -------------------------------------------------------------------------------
 
 void plane::on_mode_left(const flight_mode& mode) {
   disarms_ns_ = never_ns;
+  lands_ns_ = never_ns;
   ardupilot::on_mode_left(mode);
 }
 
@@ -22,6 +25,8 @@ void plane::on_mode_entered(const flight_mode& mode) {
   ardupilot::on_mode_entered(mode);
   if (mode.kind == mode_kind::take_off && state().is_armed && !craft().is_in_air())
     take_off_ahead();
+  if (mode.kind == mode_kind::come_back && rtl_autoland_ == lands_at_once && landing_sequence())
+    lands_ns_ = now().world_ns + lands_after_ns;
 }
 
 void plane::take_off_ahead() { climb_to(craft().home().altitude_m + vehicle_traits().body.takeoff_altitude_m); }
@@ -67,7 +72,7 @@ void plane::check_plan() {
     return each.command == mavlink::number(mav_cmd::do_land_start);
   });
   const bool was_armable = state().is_plan_armable;
-  with().state.is_plan_armable = has_autoland_ || !marks_landing;
+  with().state.is_plan_armable = rtl_autoland_ != 0 || !marks_landing;
   if (state().is_plan_armable)
     says_checks_ns_ = never_ns;
   else if (was_armable)
@@ -87,6 +92,10 @@ void plane::on_time() {
     says_checks_ns_ = now().world_ns + says_checks_each_ns;
     if (!state().is_armed)
       say(mav_severity::critical, "PreArm: DO_LAND_START set and RTL_AUTOLAND disabled");
+  }
+  if (now().world_ns >= lands_ns_) {
+    lands_ns_ = never_ns;
+    land_by_plan();
   }
   if (now().world_ns < disarms_ns_)
     return;
@@ -127,15 +136,27 @@ autopilot::answer plane::take_off(const role::order&) { return answer::failed; }
 
 autopilot::answer plane::pause_or_continue(const role::order&) { return answer::unsupported; }
 
-autopilot::answer plane::start_landing(const role::order&) {
+std::optional<int> plane::landing_sequence() const {
   const auto items = run().items();
   const auto found = std::find_if(items.begin(), items.end(), [](const mavlink::mission_item_int& each) {
     return each.command == mavlink::number(mav_cmd::do_land_start);
   });
-  if (found == items.end() || !choose(static_cast<int>(found - items.begin())))
-    return answer::failed;
+  return found == items.end() ? std::nullopt : std::optional(static_cast<int>(found - items.begin()));
+}
+
+bool plane::land_by_plan() {
+  const auto start = landing_sequence();
+  if (!start || !choose(*start))
+    return false;
   const auto& mode = mode_of_kind(vehicle_traits().modes, mode_kind::mission);
-  return change_mode(&mode, mode.custom);
+  const bool is_changed = change_mode(&mode, mode.custom) == answer::accepted;
+  if (is_changed)
+    say(mav_severity::info, "Landing sequence start");
+  return is_changed;
+}
+
+autopilot::answer plane::start_landing(const role::order&) {
+  return land_by_plan() ? answer::accepted : answer::failed;
 }
 
 } // namespace godwit::sim

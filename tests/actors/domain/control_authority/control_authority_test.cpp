@@ -154,6 +154,70 @@ TEST(control_authority, what_was_not_sent_is_not_expected) {
   EXPECT_EQ(after(who, brake, s), holder::person);
 }
 
+// Of a real ArduPlane with RTL_AUTOLAND 2: RTL, 10 ms later AUTO, 1 ms later the text.
+class plane_called_home : public testing::Test {
+protected:
+  static constexpr std::int64_t ms = s / 1000;
+  static constexpr mode_owner plane{io::mavlink::mav_autopilot::ardupilotmega, vehicle_class::fixed_wing};
+  static constexpr flight_mode mission_mode{mode_kind::mission, 10};
+  static constexpr flight_mode rtl{mode_kind::returning, 11};
+  static constexpr const char* lands = "Landing sequence start";
+
+  plane_called_home() {
+    who.begin(mission_mode);
+    who.expect({rtl.custom_mode}, 0, 5 * s);
+    who.on_mode(plane, rtl, false, s);
+  }
+
+  control_authority who;
+};
+
+TEST_F(plane_called_home, that_goes_on_with_the_landing_of_its_plan_and_says_so_is_still_ours) {
+  who.on_mode(plane, mission_mode, false, s + 10 * ms);
+  EXPECT_TRUE(who.is_unclear()) << "nothing is sent before it says so";
+  who.on_text(plane, lands, s + 11 * ms);
+  EXPECT_EQ(who.who(), holder::godwit);
+  EXPECT_FALSE(who.is_unclear());
+}
+
+TEST_F(plane_called_home, whose_text_comes_before_its_mode_is_still_ours) {
+  who.on_text(plane, lands, s + 9 * ms);
+  who.on_mode(plane, mission_mode, false, s + 10 * ms);
+  EXPECT_EQ(who.who(), holder::godwit);
+  EXPECT_FALSE(who.is_unclear());
+}
+
+TEST_F(plane_called_home, that_is_put_into_its_mission_mode_without_a_word_is_a_persons) {
+  who.on_mode(plane, mission_mode, false, s + 500 * ms);
+  who.on_time(s + 700 * ms);
+  EXPECT_TRUE(who.is_unclear());
+  who.on_time(s + 701 * ms);
+  EXPECT_EQ(who.who(), holder::person);
+}
+
+TEST_F(plane_called_home, that_is_landed_later_is_a_persons_who_has_said_so) {
+  who.on_heartbeat(s + 900 * ms);
+  who.on_mode(plane, mission_mode, false, 2 * s + 1);
+  who.on_text(plane, lands, 2 * s + 1);
+  EXPECT_EQ(who.who(), holder::person);
+}
+
+TEST_F(plane_called_home, that_takes_another_mode_in_that_moment_is_a_persons) {
+  who.on_mode(plane, mission_mode, false, s + 10 * ms);
+  who.on_mode(plane, flight_mode{mode_kind::manual, 5}, false, s + 20 * ms);
+  who.on_text(plane, lands, s + 21 * ms);
+  EXPECT_EQ(who.who(), holder::person);
+}
+
+TEST_F(plane_called_home, by_a_person_is_that_persons_where_it_lands_as_well) {
+  control_authority theirs;
+  theirs.begin(mission_mode);
+  theirs.on_mode(plane, rtl, false, s);
+  theirs.on_mode(plane, mission_mode, false, s + 10 * ms);
+  theirs.on_text(plane, lands, s + 11 * ms);
+  EXPECT_EQ(theirs.who(), holder::person);
+}
+
 TEST(control_authority, a_person_who_puts_the_mode_back_still_has_it) {
   auto who = in_flight();
   who.on_mode(copter, loiter, false, 0);

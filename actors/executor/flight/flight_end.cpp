@@ -152,11 +152,16 @@ bool flight_end::hold_where_mission_ended(effects& out) {
 }
 
 // Who has the vehicle still has it after the end of the mission: the next one waits for a hand-back.
+std::string flight_end::who_keeps_it() const {
+  const bool is_person = flight_.s.status.cause == pause_cause::taken_over;
+  return std::string(is_person ? "somebody else has the vehicle" : "a failsafe took the vehicle") +
+         "; hand it back before another mission";
+}
+
 void flight_end::end_mission(effects& out, const std::string& why) {
   if (flight_.has_service())
     out.emplace_back(send_to_client{mission_client::push_map{flight_.s.mission->mission_id}});
-  phases_.go(out, trigger::mission_ended,
-             flight_.has_person() ? "somebody else has the vehicle; hand it back before another mission" : why);
+  phases_.go(out, trigger::mission_ended, flight_.has_person() ? who_keeps_it() : why);
 }
 
 } // namespace godwit::executor

@@ -34,6 +34,7 @@ private:
   [[nodiscard]] bool hold_where_mission_ended(effects& out);
   void close(effects& out);
   void end_mission(effects& out, const std::string& why = {});
+  [[nodiscard]] std::string who_keeps_it() const; // after the flight
 
   flight_context& flight_;
   phase_machine& phases_;

@@ -31,6 +31,10 @@ bool is_in_flight(const flight_context& c) { return c.is_in_flight(); }
 bool is_plan_finished(const flight_context& c) { return c.is_plan_finished() || c.is_on_way_home(); }
 bool is_plan_over(const flight_context& c) { return c.is_plan_over(); }
 bool has_person(const flight_context& c) { return c.has_person(); }
+bool has_failsafe(const flight_context& c) {
+  const auto why = c.s.status.cause;
+  return why == cause::failsafe || why == cause::autopilot_failsafe;
+}
 bool waits_in_air(const flight_context& c) { return c.is_in_flight() && c.hovers() && c.is_in_air(); }
 bool is_flown_to_end(const flight_context& c) { return c.is_in_flight() && is_plan_finished(c); }
 bool has_more_plans(const flight_context& c) { return !c.has_person() && c.is_plan_finished(); }
@@ -60,6 +64,7 @@ constexpr named_guard plan_finished{"plan finished", is_plan_finished};
 constexpr named_guard plan_over{"plan finished, or called home", is_plan_over};
 constexpr named_guard flown_to_end{"in flight, plan finished", is_flown_to_end};
 constexpr named_guard with_person{"somebody else has the vehicle", has_person};
+constexpr named_guard with_failsafe{"a failsafe has the vehicle", has_failsafe};
 constexpr named_guard more_plans{"plan finished, under godwit", has_more_plans};
 constexpr named_guard to_deliver{"mission finished, with a service", owes_delivery};
 constexpr named_guard mission_finished{"mission finished", is_mission_finished};
@@ -200,6 +205,9 @@ constexpr std::array table{
     with(ended(trigger::flight_ended, in_the_flight, without_plan, paused), cause::taken_over,
          "the flight ended as its autopilot started again; nothing is uploaded, armed or started until an operator "
          "hands the vehicle back"),
+    with(ended(trigger::flight_ended, in_the_flight, with_failsafe, paused), cause_rule::kept,
+         "the flight ended after a failsafe took the vehicle; nothing is uploaded, armed or started until an operator "
+         "hands it back"),
     with(ended(trigger::flight_ended, in_the_flight, with_person, paused), cause_rule::kept,
          "the flight ended under manual control; nothing is uploaded, armed or started until an operator hands the "
          "vehicle back"),

@@ -189,7 +189,8 @@ std::vector<way> at_the_end() {
   constexpr circumstances complete_of_file{
       .in_flight = true, .is_finished = true, .ends_mission = true, .has_service = false};
   constexpr circumstances with_person{.in_flight = true, .cause = taken_over};
-  constexpr circumstances with_person_at_end{.in_flight = true, .cause = failsafe, .is_finished = true};
+  constexpr circumstances with_failsafe_at_end{.in_flight = true, .cause = failsafe, .is_finished = true};
+  constexpr circumstances with_autopilots_failsafe{.in_flight = true, .cause = autopilot_failsafe};
   constexpr circumstances with_person_complete{
       .in_flight = true, .cause = taken_over, .is_finished = true, .ends_mission = true};
   return {
@@ -201,7 +202,9 @@ std::vector<way> at_the_end() {
        no,
        "autopilot started again"},
       {flight_ended, flight, with_person, paused, taken_over, no, "under manual control"},
-      {flight_ended, flight, with_person_at_end, paused, failsafe, no, "under manual control"},
+      {flight_ended, flight, with_failsafe_at_end, paused, failsafe, no, "after a failsafe took the vehicle"},
+      {flight_ended, flight, with_autopilots_failsafe, paused, autopilot_failsafe, no,
+       "after a failsafe took the vehicle"},
       {flight_ended, flight, flown_to_end, connected, none, no},
       {flight_ended, flight, flown, paused, taken_over, no, "not by godwit"},
       {mission_ended, open, complete, post_flight, none, no},

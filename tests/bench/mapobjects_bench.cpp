@@ -127,7 +127,7 @@ public:
 
   void load(std::uint64_t seed, std::size_t objects) {
     source made(seed);
-    const auto number = ask([](map_tables& t) { return begin(t, {mission}); });
+    const auto number = ask([](map_tables& t) { return begin(t, {mission}); }).number;
     const auto answer = [this](const map_result<void>& done) {
       check(done);
       answered_.release();

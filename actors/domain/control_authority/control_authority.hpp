@@ -18,8 +18,7 @@
 // ArduPilot's own failsafe is known by its words, which come just before or just after the mode; they only change whose
 // a change is called, and never make it godwit's. A plane whose return goes on at once with the landing of its plan
 // (RTL_AUTOLAND 2) shows its mission mode, and says so in the same moment: that is part of the return. Executor and
-// failsafe have one each, and a person whom either has
-// seen is a person for both. Monotonic nanoseconds. Thread: pure.
+// failsafe have one each, and a person whom either has seen is a person for both. Monotonic nanoseconds. Thread: pure.
 //
 // CURRENT_MODE (PX4) shows a change between two heartbeats, and also the mode that somebody has asked for last. Where
 // the actual mode alone has changed the autopilot's own failsafe has the vehicle, also in a mode that an order of ours
@@ -64,7 +63,7 @@ inline constexpr std::int64_t breach_is_told_within_ns = 200'000'000;
 
 // A plane that lands by its plan does so in the cycle after that in which it has begun to return, within 10 ms as
 // recorded, and says it within 2 ms of the mode. Whoever lands it by a command of his own needs longer.
-inline constexpr std::int64_t landing_begins_within_ns = 1'000'000'000;
+inline constexpr std::int64_t landing_begins_within_ns = 300'000'000;
 inline constexpr std::int64_t landing_is_told_within_ns = 200'000'000;
 
 // CURRENT_MODE, and what the newest heartbeat says of the autopilot itself.

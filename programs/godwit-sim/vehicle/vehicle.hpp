@@ -45,8 +45,8 @@ struct vehicle_settings {
   double endurance_s = 1'500; // of a full battery in flight; world time
   bool arms_on_start = false; // rover: MISSION_START arms
   double stream_factor = 1;   // rates of the default streams, times this
-  int rtl_autoland =
-      3; // plane: its RTL_AUTOLAND; 0, ArduPilot's default: DO_LAND_START keeps it disarmed; 2: RTL lands by it
+  // Of a plane: RTL_AUTOLAND. 0, ArduPilot's default: DO_LAND_START keeps it disarmed; 2: a return lands by it at once.
+  int rtl_autoland = 3;
   bool has_payload = false;         // GRIP_ENABLE and CAM1_TYPE 1, or TRIG_MODE 4; off, as by default
   int aircraft = 0;                 // others, that a receiver on it reports; at most max_other_aircraft
   bool holds_when_landed = false;   // px4: as a VTOL of it was seen to, after the landing of a mission

@@ -188,17 +188,16 @@ TEST_F(plane_called_home, whose_text_comes_before_its_mode_is_still_ours) {
 }
 
 TEST_F(plane_called_home, that_is_put_into_its_mission_mode_without_a_word_is_a_persons) {
-  who.on_mode(plane, mission_mode, false, s + 500 * ms);
-  who.on_time(s + 700 * ms);
+  who.on_mode(plane, mission_mode, false, s + 250 * ms);
+  who.on_time(s + 450 * ms);
   EXPECT_TRUE(who.is_unclear());
-  who.on_time(s + 701 * ms);
+  who.on_time(s + 451 * ms);
   EXPECT_EQ(who.who(), holder::person);
 }
 
 TEST_F(plane_called_home, that_is_landed_later_is_a_persons_who_has_said_so) {
-  who.on_heartbeat(s + 900 * ms);
-  who.on_mode(plane, mission_mode, false, 2 * s + 1);
-  who.on_text(plane, lands, 2 * s + 1);
+  who.on_mode(plane, mission_mode, false, s + 301 * ms);
+  who.on_text(plane, lands, s + 302 * ms);
   EXPECT_EQ(who.who(), holder::person);
 }
 

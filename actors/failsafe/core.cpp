@@ -98,8 +98,10 @@ void core::handle(const mission_current& what, instant now) {
 }
 
 void core::handle(const autopilot_text& what, instant now) {
-  if (flight::tells_failsafe(what.what) || flight::tells_fence_breach(what.what))
-    failsafe_text_ = {what.what, now};
+  const bool tells_who = flight::tells_failsafe(what.what) || flight::tells_fence_breach(what.what) ||
+                         flight::tells_landing_of_plan(what.what);
+  if (tells_who && texts_.size() < max_texts)
+    texts_.push_back({what.what, now});
 }
 
 void core::handle(const command_resolved& what, instant) {
@@ -245,8 +247,8 @@ void core::lift(rule scope) {
 void core::watch_pilot(const view& seen, instant now, effects& out) {
   const bool before = pilot_.is_taken_over();
   const bool was_autopilots = pilot_.is_autopilots();
-  if (const auto text = std::exchange(failsafe_text_, std::nullopt))
-    pilot_.on_text(owner(), text->what, text->at);
+  for (const auto& each : std::exchange(texts_, {}))
+    pilot_.on_text(owner(), each.what, each.at);
   if (const auto place = std::exchange(place_, std::nullopt))
     pilot_.on_place(place->what.sequence, place->what.is_complete, place->at);
   for (const auto& each : std::exchange(orders_, {})) {

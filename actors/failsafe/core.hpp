@@ -158,7 +158,8 @@ private:
     std::string what;
     instant at;
   };
-  std::optional<heard_text> failsafe_text_; // of the autopilot's own failsafe
+  static constexpr std::size_t max_texts = 8;
+  std::vector<heard_text> texts_; // of the autopilot's own failsafe, and of a landing by its plan; until the next tick
   struct heard_modes {
     modes_told what;
     instant at;

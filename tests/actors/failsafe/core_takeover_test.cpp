@@ -44,6 +44,36 @@ TEST(failsafe_core, a_hold_by_loiter_where_brake_was_ordered_is_a_pilot) {
   EXPECT_TRUE(world.sent.empty());
 }
 
+// A plane with RTL_AUTOLAND 2: RTL, and some milliseconds later AUTO with a text.
+class plane_on_its_way_home : public testing::TestWithParam<bool> {};
+
+TEST_P(plane_on_its_way_home, lands_by_its_plan_and_is_a_pilots_only_without_its_word) {
+  using godwit::io::mavlink::mav_autopilot;
+  const auto beat = [](flight_world& world, const flight_mode& mode) {
+    world.tell(heartbeat{vehicle_class::fixed_wing, true, mode, mav_autopilot::ardupilotmega});
+    world.run_ms(100); // it is looked at
+  };
+  flight_world world(vehicle_class::fixed_wing);
+  world.sends_heartbeats = false;
+  const flight_mode in_auto{mode_kind::mission, 10};
+  beat(world, in_auto);
+  world.tell(landed{landed_state::in_air});
+  for (int i = 0; i < 20; ++i)
+    beat(world, in_auto);
+  ASSERT_EQ(world.pilots_seen, 0);
+  world.tell(expect_mode{{11}, 5'000});
+  beat(world, {mode_kind::returning, 11});
+  world.tell(heartbeat{vehicle_class::fixed_wing, true, in_auto, mav_autopilot::ardupilotmega});
+  const bool has_said_so = GetParam();
+  if (has_said_so)
+    world.tell(autopilot_text{"Landing sequence start"});
+  for (int i = 0; i < 20; ++i)
+    beat(world, in_auto);
+  EXPECT_EQ(world.pilots_seen, has_said_so ? 0 : 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(its_word, plane_on_its_way_home, testing::Bool());
+
 TEST(failsafe_core, a_mode_that_is_told_between_two_heartbeats_is_a_pilots) {
   auto world = fenced();
   world.run_ms(200);

@@ -9,6 +9,8 @@ namespace godwit::failsafe {
 void flight_watch::on_heartbeat(vehicle_class what, bool armed, std::int64_t now_ns) {
   what_ = what;
   armed_ = armed;
+  if (!armed)
+    ended_armed_ns_.reset();
   heartbeat_ns_ = now_ns;
 }
 
@@ -46,7 +48,10 @@ flight_now flight_watch::evaluate(std::int64_t now_ns) {
   result.near_ground = landed_ == landed_state::taking_off || landed_ == landed_state::landing;
   result.begins = in_flight_ && !before;
   result.is_found = result.begins && !was_down_;
+  result.is_bounce = result.begins && ended_armed_ns_ && now_ns - *ended_armed_ns_ <= bounces_within_ms * ns_per_ms;
   result.ends = before && !in_flight_;
+  if (result.ends && armed_)
+    ended_armed_ns_ = now_ns;
   result.landed_known = what_ == vehicle_class::rover || landed_ != landed_state::unknown;
   was_down_ = was_down_ || !armed_ || landed_ == landed_state::on_ground;
   return result;

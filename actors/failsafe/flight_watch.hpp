@@ -4,8 +4,10 @@
 //   standing      ──armed and moving──────> in flight ──disarmed──────────────────────────> standing    (rover)
 //
 // A landing detector can flicker: one message that says "on the ground" stops all action at once, and does not end the
-// flight. A rover that has stopped is still on its way, but there is nothing to stop any more. While no heartbeat comes
-// nothing is known, and so nothing changes. Monotonic nanoseconds. Thread: pure.
+// flight. One that flickers for longer, as a real PX4 was seen to touch down (on the ground, landing, on the ground, a
+// second apart), has the vehicle bounce: it begins a flight again that it has not been disarmed after. A rover that has
+// stopped is still on its way, but there is nothing to stop any more. While no heartbeat comes nothing is known, and so
+// nothing changes. Monotonic nanoseconds. Thread: pure.
 #pragma once
 
 #include <cstdint>
@@ -19,6 +21,8 @@ namespace godwit::failsafe {
 inline constexpr std::int64_t vehicle_lost_ms = 5'000;
 // Landing detectors were seen to say "on the ground" for one or two messages, a second apart, in a gust.
 inline constexpr std::int64_t ground_settle_ms = 2'000;
+// After that it may still be said to be in the air once more.
+inline constexpr std::int64_t bounces_within_ms = 3'000;
 
 struct flight_now {
   bool link_up = false; // the autopilot is heard
@@ -27,6 +31,7 @@ struct flight_now {
   bool near_ground = false;  // takes off or lands
   bool begins = false;       // with this tick
   bool is_found = false;     // begins, and this incarnation has never seen it on the ground
+  bool is_bounce = false;    // begins, and the one before has just ended without a disarm
   bool ends = false;         // with this tick
   bool landed_known = false; // or of no interest
 };
@@ -53,7 +58,8 @@ private:
   landed_state landed_ = landed_state::unknown;
   double speed_mps_ = 0;
   std::optional<std::int64_t> ground_since_ns_;
-  bool was_down_ = false; // seen by this incarnation
+  bool was_down_ = false;                      // seen by this incarnation
+  std::optional<std::int64_t> ended_armed_ns_; // the flight before, and it was armed ever since
 };
 
 } // namespace godwit::failsafe

@@ -65,6 +65,8 @@ bool takeover_detector::begins_as_ours(const seen_mode& seen, instant now) const
     return true;
   if (has_acted_at_begin_)
     return false;
+  if (bounces_ && came_down_ == seen.mode)
+    return true;
   return seen.mode.kind == mode_kind::mission || (!is_found_ && seen.mode.kind == mode_kind::take_off);
 }
 
@@ -79,6 +81,8 @@ void takeover_detector::judge_begin(const seen_mode& seen, instant now) {
 }
 
 void takeover_detector::evaluate(const flight_now& flight, const seen_mode& seen, instant now) {
+  if (flight.ends)
+    came_down_ = authority_.is_ours() ? authority_.ours() : std::nullopt;
   if (flight.ends && authority_.is_ours()) { // who has taken it still has it
     authority_.end();
     authority_.set_plan_end(plan_end_);
@@ -95,6 +99,7 @@ void takeover_detector::evaluate(const flight_now& flight, const seen_mode& seen
     if (!begun_ns_) {
       begun_ns_ = now.monotonic_ns;
       is_found_ = flight.is_found;
+      bounces_ = flight.is_bounce;
       has_acted_at_begin_ = false;
     }
     judge_begin(seen, now);

@@ -11,7 +11,8 @@
 // autopilot's own failsafes are still there. A take-off that was seen is ours when it was commanded, or when it is that
 // of a plan; its heartbeat may be older than what shows the take-off, so that a newer one is waited for. After a
 // restart the mode is compared with the last one that was ours; without such a record a vehicle in the air is only
-// taken for ours when it flies a mission. On the ground modes change as they like. Who has taken the vehicle has it
+// taken for ours when it flies a mission. One that bounces in the mode in which it has just come down as ours still is.
+// On the ground modes change as they like. Who has taken the vehicle has it
 // also after its landing: an operator hands it back, or the executor when it starts the next flight. Thread: pure.
 #pragma once
 
@@ -99,6 +100,8 @@ private:
   std::optional<std::int64_t> judged_ns_; // the newest heartbeat whose mode was judged: each is judged once
   std::optional<std::int64_t> begun_ns_;  // a flight that nobody is known to have begun
   bool is_found_ = false;                 // it was in the air already
+  bool bounces_ = false;                  // it has just come down, and was armed ever since
+  std::optional<flight_mode> came_down_;  // in this mode, as ours
   bool has_acted_at_begin_ = false;       // the failsafe has, before it was known whose flight it is
   bool adopts_ = false;                   // handed back: whatever mode comes next is ours
 };

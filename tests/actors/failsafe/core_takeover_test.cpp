@@ -44,6 +44,24 @@ TEST(failsafe_core, a_hold_by_loiter_where_brake_was_ordered_is_a_pilot) {
   EXPECT_TRUE(world.sent.empty());
 }
 
+// As a real PX4 does it, in the return that the executor has ordered: a pilot was reported after its landing.
+TEST(failsafe_core, a_vehicle_that_bounces_as_it_touches_down_in_a_return_of_ours_is_nobodys) {
+  flight_world world;
+  world.run_s(5);
+  world.tell(expect_mode{{in_return.custom_mode}, 5'000});
+  world.mode = in_return;
+  world.run_s(5);
+  world.landed = landed_state::on_ground;
+  world.run_s(3);
+  EXPECT_FALSE(world.told().in_flight);
+  world.landed = landed_state::landing;
+  world.run_s(1);
+  EXPECT_TRUE(world.told().in_flight);
+  world.landed = landed_state::on_ground;
+  world.run_s(5);
+  EXPECT_EQ(world.pilots_seen, 0);
+}
+
 // A plane with RTL_AUTOLAND 2: RTL, and some milliseconds later AUTO with a text.
 class plane_on_its_way_home : public testing::TestWithParam<bool> {};
 

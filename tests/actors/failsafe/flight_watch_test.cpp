@@ -93,6 +93,24 @@ TEST(flight_watch, on_the_ground_for_2_s_ends_the_flight_and_a_flicker_does_not)
   EXPECT_TRUE(watch.evaluate(5 * s).ends);
 }
 
+// Seen of a real PX4: on the ground, landing, on the ground, a second and more apart.
+TEST(flight_watch, what_is_in_the_air_again_soon_after_its_end_and_was_not_disarmed_bounces) {
+  for (const bool was_disarmed : {false, true})
+    for (const auto after_s : {1, 5}) {
+      auto watch = copter(true, landed_state::landing);
+      (void)watch.evaluate(0);
+      watch.on_landed(landed_state::on_ground);
+      (void)watch.evaluate(s);
+      EXPECT_TRUE(watch.evaluate(3 * s).ends);
+      watch.on_heartbeat(vehicle_class::multirotor, !was_disarmed, 3 * s);
+      watch.on_heartbeat(vehicle_class::multirotor, true, (3 + after_s) * s);
+      watch.on_landed(landed_state::landing);
+      const auto again = watch.evaluate((3 + after_s) * s);
+      EXPECT_TRUE(again.begins);
+      EXPECT_EQ(again.is_bounce, !was_disarmed && after_s == 1) << was_disarmed << " " << after_s;
+    }
+}
+
 TEST(flight_watch, while_the_autopilot_is_not_heard_nothing_acts_and_nothing_changes) {
   auto watch = copter(true, landed_state::in_air);
   (void)watch.evaluate(0);

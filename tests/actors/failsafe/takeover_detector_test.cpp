@@ -257,6 +257,22 @@ TEST(takeover_detector, who_takes_off_in_any_mode_but_that_of_a_plan_or_of_a_tak
 }
 
 // The landed state may be newer than the mode.
+// As a real PX4 touched down in its return.
+TEST(takeover_detector, what_bounces_in_the_mode_in_which_it_came_down_is_still_ours_and_in_another_a_pilots) {
+  constexpr flight_now bounces{.link_up = true, .in_flight = true, .may_act = true, .begins = true, .is_bounce = true};
+  for (const bool is_bounce : {true, false})
+    for (const auto& mode : {returns, manual}) {
+      auto watch = on_mission();
+      watch.expect({returns.custom_mode}, 5'000, start);
+      see(watch, flies, returns, 100);
+      ASSERT_FALSE(watch.is_taken_over());
+      see(watch, has_ended, returns, 200);
+      for (std::int64_t ms = 300; ms < 3'000; ms += 1'000) // a newer heartbeat is waited for
+        see(watch, ms == 300 ? (is_bounce ? bounces : takes_off) : flies, mode, ms);
+      EXPECT_EQ(watch.is_taken_over(), !is_bounce || mode == manual) << is_bounce << godwit::io::name_of(mode.kind);
+    }
+}
+
 TEST(takeover_detector, whose_a_take_off_is_a_heartbeat_says_that_came_after_it) {
   takeover_detector known({}, {}, start);
   see(known, on_ground, guided);

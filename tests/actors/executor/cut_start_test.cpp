@@ -68,6 +68,20 @@ TEST_P(cut_start, a_start_that_was_obeyed_unheard_is_followed_and_what_was_flown
   }
 }
 
+// The next one has not seen the start.
+TEST_P(cut_start, what_was_flown_in_a_silence_in_which_the_executor_died_is_not_skipped) {
+  for (const int after_ms : {5, 100, 300}) {
+    flight_world world(in_real_time());
+    begin_until(world, &flight_world::starts);
+    world.run_for(after_ms * 1e-3);
+    world.cut_line(28);
+    world.run_for(20);
+    world.crash();
+    world.run_for(40);
+    EXPECT_EQ(skipped(world), 0) << after_ms << "\n" << world.story();
+  }
+}
+
 // Its positions come before it is known what it does: they contradict nothing that it has flown in the silence.
 TEST_P(cut_start, one_whose_place_is_heard_before_its_mode_has_flown_what_lies_before_it) {
   const double speed = GetParam() == sim::personality::rover ? 0.1 : 2;

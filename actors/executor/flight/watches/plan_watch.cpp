@@ -24,22 +24,28 @@ void plan_watch::on_position(instant now) {
 // is.
 void plan_watch::follow_plan(instant now) {
   const auto& s = flight_.s;
+  const bool has_begun_start = s.progress.start && !std::exchange(has_start_, true);
+  if (!s.progress.start)
+    has_start_ = false;
   if (!s.progress.plan || !s.flown || !flight_.view.mode())
     return;
   const auto& g = s.progress.plan->generation;
-  if (s.progress.start && start_ns_ == 0)
+  if (has_begun_start)
     start_ns_ = now.now_ns;
   if (followed_ != g.number) {
     const auto again_ns = flight_.view.unbroken_since_ns();
-    const bool was_heard_at_start = g.origin == progress::generation_origin::start && again_ns <= start_ns_;
+    const bool is_by_start = g.origin == progress::generation_origin::start;
+    const bool was_heard_at_start = is_by_start && start_ns_ != 0 && again_ns <= start_ns_;
     const bool is_just_heard = again_ns != 0 && now.now_ns - again_ns < heard_again_ns && !was_heard_at_start;
-    const bool is_found = g.is_found || is_just_heard || (!followed_ && g.is_armed);
+    const bool is_unseen = is_by_start && start_ns_ == 0; // that start was the incarnation's before
+    const bool is_found = g.is_found || is_just_heard || is_unseen || (!followed_ && g.is_armed);
     const bool was_seen = g.is_found && was_heard_at_start && followed_; // where it was since counts
     if (!was_seen)
       track_.begin(s.flown->items, flight_.view.owner().vehicle, flight_.configured.own_loiter_radius_m,
                    is_found ? 0 : now.now_ns);
     followed_ = g.number;
     resolved_ = g.resolved;
+    was_heard_at_start_ = was_heard_at_start;
     start_ns_ = 0;
   }
   if (resolved_ != g.resolved)
@@ -108,7 +114,10 @@ std::vector<std::uint16_t> plan_watch::never_near(std::uint16_t sequence, told h
     return {};
   const auto& g = plan->generation;
   const auto& start = flight_.s.progress.start; // what comes in it counts from there on when it has ended
-  const auto first = start ? start->sequence : g.is_armed ? g.current : g.start_sequence;
+  const bool was_heard = start ? start_ns_ != 0 && flight_.view.unbroken_since_ns() <= start_ns_ : was_heard_at_start_;
+  if (!g.is_armed && !was_heard)
+    return {};
+  const auto first = start && was_heard ? start->sequence : g.is_armed ? g.current : g.start_sequence;
   auto end = how == told::at ? int{sequence} : sequence + 1;
   if (const auto loop = progress::loop_between(plan->map, g.moved_to.value_or(g.current), sequence))
     end = loop->jump_sequence; // all up to the jump would be flown

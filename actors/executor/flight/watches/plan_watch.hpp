@@ -49,7 +49,9 @@ private:
   track track_;
   std::optional<std::uint32_t> followed_; // the generation whose places the track has
   std::uint32_t resolved_ = 0;            // of it
-  std::int64_t start_ns_ = 0;             // when the next one was about to begin by a start; 0: it is not
+  bool has_start_ = true;                 // one is under way; of the incarnation before, as long as none is seen
+  std::int64_t start_ns_ = 0;             // when the next one was about to begin by a start; 0: it is not, or not seen
+  bool was_heard_at_start_ = false;       // the followed one has begun by a start that this incarnation has seen
   std::uint64_t reading_ = 0;             // the number of the download; 0: none
   std::uint64_t last_number_ = first_of_plan_watch;
   std::int64_t begun_ns_ = 0; // that download

@@ -178,13 +178,16 @@ map_result<void> load_finish::check(map_tables& t) {
     load.give_up();
     return error;
   }
-  changed_.insert(changed_.end(), load.removed.begin(), load.removed.end());
-  std::sort(changed_.begin(), changed_.end());
-  objects_ = load.objects.size();
-  last_ = t.map.first_object - 1;
   is_taken_over_ = !asked_.is_change;
-  if (is_taken_over_)
+  if (is_taken_over_) {
+    changed_ = {};
     sort_along_curve(load);
+  } else {
+    changed_.insert(changed_.end(), load.removed.begin(), load.removed.end());
+    std::sort(changed_.begin(), changed_.end());
+    objects_ = load.objects.size();
+    last_ = t.map.first_object - 1;
+  }
   load_ = &load;
   return {};
 }
@@ -194,7 +197,6 @@ map_result<bool> load_finish::take_over(map_tables& t, decision_context& now) {
   auto& load = t.load;
   load.objects.resize(objects_); // the turn before this one may have been rolled back
   staged_last_ = last_;
-  bool is_over = false;
   std::vector<stored_object> rows;
   auto read = t.q.each(
       "SELECT number, id, class_group, latitude_deg, longitude_deg, altitude_m, first_seen_ns, last_seen_ns, "
@@ -209,8 +211,7 @@ map_result<bool> load_finish::take_over(map_tables& t, decision_context& now) {
       if (auto put = put_object(t, each.what); !put)
         return tl::unexpected(std::move(put.error()));
     staged_last_ = each.number;
-    is_over = now.over_after_row();
-    if (is_over)
+    if (now.over_after_row())
       break;
   }
   return rows.empty();

@@ -98,9 +98,7 @@ void core::handle(const mission_current& what, instant now) {
 }
 
 void core::handle(const autopilot_text& what, instant now) {
-  const bool tells_who = flight::tells_failsafe(what.what) || flight::tells_fence_breach(what.what) ||
-                         flight::tells_landing_of_plan(what.what);
-  if (tells_who && texts_.size() < max_texts)
+  if (flight::tells_of_authority(what.what) && texts_.size() < max_texts)
     texts_.push_back({what.what, now});
 }
 

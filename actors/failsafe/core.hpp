@@ -159,7 +159,7 @@ private:
     instant at;
   };
   static constexpr std::size_t max_texts = 8;
-  std::vector<heard_text> texts_; // of the autopilot's own failsafe, and of a landing by its plan; until the next tick
+  std::vector<heard_text> texts_; // that tell of authority; until the next tick
   struct heard_modes {
     modes_told what;
     instant at;

@@ -201,6 +201,10 @@ void control_authority::change_by_itself(const told_modes& told, std::int64_t no
   on_time(now_ns);
 }
 
+bool tells_of_authority(std::string_view text) {
+  return tells_failsafe(text) || tells_fence_breach(text) || tells_landing_of_plan(text);
+}
+
 void control_authority::on_text(const mode_owner& whose, std::string_view text, std::int64_t now_ns) {
   if (whose.autopilot != io::mavlink::mav_autopilot::ardupilotmega)
     return;

@@ -66,6 +66,9 @@ inline constexpr std::int64_t breach_is_told_within_ns = 200'000'000;
 inline constexpr std::int64_t landing_begins_within_ns = 300'000'000;
 inline constexpr std::int64_t landing_is_told_within_ns = 200'000'000;
 
+// That on_text() heeds; it passes over all others.
+[[nodiscard]] bool tells_of_authority(std::string_view text);
+
 // CURRENT_MODE, and what the newest heartbeat says of the autopilot itself.
 struct told_modes {
   flight_mode actual;

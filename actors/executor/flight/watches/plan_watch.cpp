@@ -19,23 +19,23 @@ void plan_watch::on_position(instant now) {
     track_.on_position({at->latitude, at->longitude}, now.now_ns);
 }
 
+bool plan_watch::is_start_heard() const { return start_ns_ != 0 && flight_.view.unbroken_since_ns() <= start_ns_; }
+
 // Of a vehicle that is found on its way or just heard again, and in a new incarnation, nobody has seen when the place
 // before was left: nothing is contradicted until it has seen one. Before a heartbeat it does not know what the vehicle
 // is.
 void plan_watch::follow_plan(instant now) {
   const auto& s = flight_.s;
-  const bool has_begun_start = s.progress.start && !std::exchange(has_start_, true);
-  if (!s.progress.start)
-    has_start_ = false;
+  const bool had_start = std::exchange(has_start_, s.progress.start.has_value());
   if (!s.progress.plan || !s.flown || !flight_.view.mode())
     return;
   const auto& g = s.progress.plan->generation;
-  if (has_begun_start)
+  if (has_start_ && !had_start)
     start_ns_ = now.now_ns;
   if (followed_ != g.number) {
     const auto again_ns = flight_.view.unbroken_since_ns();
     const bool is_by_start = g.origin == progress::generation_origin::start;
-    const bool was_heard_at_start = is_by_start && start_ns_ != 0 && again_ns <= start_ns_;
+    const bool was_heard_at_start = is_by_start && is_start_heard();
     const bool is_just_heard = again_ns != 0 && now.now_ns - again_ns < heard_again_ns && !was_heard_at_start;
     const bool is_unseen = is_by_start && start_ns_ == 0; // that start was the incarnation's before
     const bool is_found = g.is_found || is_just_heard || is_unseen || (!followed_ && g.is_armed);
@@ -114,7 +114,7 @@ std::vector<std::uint16_t> plan_watch::never_near(std::uint16_t sequence, told h
     return {};
   const auto& g = plan->generation;
   const auto& start = flight_.s.progress.start; // what comes in it counts from there on when it has ended
-  const bool was_heard = start ? start_ns_ != 0 && flight_.view.unbroken_since_ns() <= start_ns_ : was_heard_at_start_;
+  const bool was_heard = start ? is_start_heard() : was_heard_at_start_;
   if (!g.is_armed && !was_heard)
     return {};
   const auto first = start && was_heard ? start->sequence : g.is_armed ? g.current : g.start_sequence;

@@ -43,6 +43,8 @@ public:
 
 private:
   void follow_plan(instant now);
+  // The start under way, or the last one, was seen to begin, and the vehicle was heard throughout since.
+  [[nodiscard]] bool is_start_heard() const;
   [[nodiscard]] bool may_read() const;
 
   flight_context& flight_;

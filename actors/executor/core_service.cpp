@@ -49,8 +49,7 @@ effects core::on_mission(const mission_client::mission_loaded& m, instant now) {
 }
 
 std::string core::why_no_mission() const {
-  const auto elsewhere = flight_.configured.has_service ? flight_.who_else_brings_missions() : std::string();
-  return elsewhere.empty() ? elsewhere : "missions come from " + elsewhere + " here";
+  return flight_.configured.has_service ? flight_.missions_come_from_elsewhere() : std::string();
 }
 
 // The journal is an older one than the reports of the service. On the ground a mission that has ended is not flown

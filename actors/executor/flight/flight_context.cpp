@@ -232,6 +232,11 @@ std::string flight_context::who_else_brings_missions() const {
   return configured.mission_id.empty() ? std::string() : std::string("a file");
 }
 
+std::string flight_context::missions_come_from_elsewhere() const {
+  const auto elsewhere = who_else_brings_missions();
+  return elsewhere.empty() ? elsewhere : "missions come from " + elsewhere + " here";
+}
+
 bool flight_context::is_same_mission(const mission::document& next) const {
   return s.mission && s.mission->mission_id == next.mission_id;
 }

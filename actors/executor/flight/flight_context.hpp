@@ -173,6 +173,7 @@ struct flight_context {
   // Than ground stations and the operators' page; empty: nobody. Beside a service that gives one mission after the
   // other theirs is taken while none of the service's is under way.
   [[nodiscard]] std::string who_else_brings_missions() const;
+  [[nodiscard]] std::string missions_come_from_elsewhere() const; // the same as a sentence
 
   // -- what is left of a mission
   [[nodiscard]] bool is_same_mission(const mission::document& next) const;

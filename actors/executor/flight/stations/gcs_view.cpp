@@ -95,8 +95,8 @@ bool gcs_view::begins_with_home(const std::vector<io::mavlink::mission_item_int>
 }
 
 std::string gcs_view::why_no_plan(const plan_taken& m, bool has_looked) const {
-  if (auto elsewhere = flight_.who_else_brings_missions(); !elsewhere.empty())
-    return "missions come from " + elsewhere + " here";
+  if (auto elsewhere = flight_.missions_come_from_elsewhere(); !elsewhere.empty())
+    return elsewhere;
   if (is_flight_begun(flight_.s))
     return uploads_.why_not(m.by, has_looked);
   if (flight_.has_person() && flight_.s.person != m.by) // its own is kept, and brought after the hand-back
@@ -180,10 +180,8 @@ effects gcs_view::take_fence(const std::vector<io::mavlink::mission_item_int>& i
 
 // godwit flies to none of them: they go to the vehicle with the station's plan.
 effects gcs_view::take_rally(const std::vector<io::mavlink::mission_item_int>& items) {
-  if (auto elsewhere = flight_.who_else_brings_missions(); !elsewhere.empty())
-    return items.empty()
-               ? effects{}
-               : effects{announce{"the rally points are not used: missions come from " + elsewhere + " here", true}};
+  if (auto elsewhere = flight_.missions_come_from_elsewhere(); !elsewhere.empty())
+    return items.empty() ? effects{} : effects{announce{"the rally points are not used: " + elsewhere, true}};
   if (!flight_.configured.brings_last_line)
     return items.empty() ? effects{} : effects{announce{"the rally points are not used (flight.last_line)", true}};
   return {note{station_rally_taken{items}}};

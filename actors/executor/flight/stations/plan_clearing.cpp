@@ -29,8 +29,8 @@ std::string plan_clearing::why_not_vehicle() const {
 std::string plan_clearing::why_never() const {
   if (GODWIT_PLANTED(clear_while_armed))
     return {};
-  if (const auto elsewhere = flight_.who_else_brings_missions(); !elsewhere.empty())
-    return "missions come from " + elsewhere + " here";
+  if (auto elsewhere = flight_.missions_come_from_elsewhere(); !elsewhere.empty())
+    return elsewhere;
   return why_not_vehicle();
 }
 

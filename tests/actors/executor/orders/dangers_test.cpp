@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -45,6 +46,16 @@ protected:
     for (auto& each : result)
       if (each.x != 0)
         each.x += 20'000; // 220 m to the north
+    return result;
+  }
+  // Of the short mission, in flight to w2: these items follow that one.
+  [[nodiscard]] static mission::assignment after_w2(std::vector<mission::item> items) {
+    mission::assignment result;
+    result.assignment_id = "11111111-2222-4333-8444-100000000001";
+    result.base_revision = 1;
+    result.revision = 2;
+    result.replace_after_item_id = "w2";
+    result.items = std::move(items);
     return result;
   }
   [[nodiscard]] static bool is_reported(const flight_world& world, progress_kind kind, const std::string& item) {
@@ -119,13 +130,7 @@ TEST_P(danger, a_pilots_hold_right_after_the_way_to_a_new_plan_is_not_flown_over
   wanted.start = start_policy::automatic;
   flight_world world(wanted);
   ASSERT_TRUE(tests::fly_to(world, tests::short_mission(who()), progress_kind::started, "w2"));
-  mission::assignment assignment;
-  assignment.assignment_id = "11111111-2222-4333-8444-100000000001";
-  assignment.base_revision = 1;
-  assignment.revision = 2;
-  assignment.replace_after_item_id = "w2";
-  assignment.items = {tests::place(who(), "z", -20, 20)};
-  world.assign(assignment);
+  world.assign(after_w2({tests::place(who(), "z", -20, 20)}));
   ASSERT_TRUE(world.run_until([&] { return world.durable().flown->mission.revision == 2; }, 60)) << world.story();
   const auto is_sent_on = [&] { return world.durable().doing && world.heard_mode() == mission_mode(who()); };
   ASSERT_TRUE(world.run_until(is_sent_on, 10) || !world.durable().doing) << world.story();
@@ -149,14 +154,10 @@ TEST_P(danger, a_vehicle_that_a_person_disarms_in_its_flight_is_not_sent_into_it
     wanted.start = start_policy::automatic;
     flight_world world(wanted);
     ASSERT_TRUE(tests::fly_to(world, tests::short_mission(who()), progress_kind::started, "w2"));
-    mission::assignment assignment;
-    assignment.assignment_id = "11111111-2222-4333-8444-100000000001";
-    assignment.base_revision = 1;
-    assignment.revision = 2;
-    assignment.replace_after_item_id = "w2";
+    std::vector<mission::item> items;
     for (int i = 0; i < 8; ++i)
-      assignment.items.push_back(tests::place(who(), "z" + std::to_string(i), -20 - i, 20));
-    world.assign(assignment);
+      items.push_back(tests::place(who(), "z" + std::to_string(i), -20 - i, 20));
+    world.assign(after_w2(std::move(items)));
     world.run_for(seconds);
     world.disarm_by_hand();
     world.run_for(1.3); // a heartbeat shows it
@@ -177,13 +178,7 @@ TEST_P(danger, a_vehicle_that_a_person_disarms_in_its_flight_gets_no_further_pla
     flight_world world(wanted);
     ASSERT_TRUE(tests::fly_to(world, tests::short_mission(who()), progress_kind::started, "w2"));
     world.lose_message(io::mavlink::mission_ack::message_id);
-    mission::assignment assignment;
-    assignment.assignment_id = "11111111-2222-4333-8444-100000000001";
-    assignment.base_revision = 1;
-    assignment.revision = 2;
-    assignment.replace_after_item_id = "w2";
-    assignment.items = {tests::place(who(), "z", -20, 20)};
-    world.assign(assignment);
+    world.assign(after_w2({tests::place(who(), "z", -20, 20)}));
     ASSERT_TRUE(world.run_until([&] { return world.is_uploading(); }, 30)) << world.story();
     world.run_for(seconds);
     world.disarm_by_hand();

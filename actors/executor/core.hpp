@@ -185,7 +185,7 @@ public:
   }
   // Of the operators' page; empty: one is taken.
   [[nodiscard]] std::string why_no_mission() const;
-  // Of that mission the missions service is told.
+  // The missions service gets the reports and changes of that mission.
   [[nodiscard]] bool is_of_service(const std::string& mission_id) const { return !is_of_people(flight_.s, mission_id); }
   [[nodiscard]] known_missions missions() const {
     return list_missions(flight_, {service_.refusal(), stations_.refused_upload(), flight_.is_withdrawn()});

@@ -425,7 +425,7 @@ struct state {
   return s.status.in_flight || (s.doing && s.doing->kind == task_kind::start);
 }
 
-// The service does not know such a mission, and is told nothing of it.
+// The service does not know such a mission, and gets nothing of it.
 [[nodiscard]] bool is_of_people(const state& s, const std::string& mission_id);
 
 // The durable core: keeps what was decided, and lets the progress decide.

@@ -219,11 +219,12 @@ void pulling::on_store(planning_context& d, ticket number, const store_answer& a
   }
   if (const auto* begun = std::get_if<store::load_answer>(&answer); begun != nullptr && stage_ == stage::beginning)
     take_load(*begun);
-  if (const auto* map = std::get_if<store::map_status>(&answer); map != nullptr && stage_ == stage::counting) {
+  const auto* map = std::get_if<store::map_status>(&answer);
+  if (map != nullptr && stage_ == stage::counting) {
     objects_ = static_cast<std::int64_t>(map->objects);
     return end(d, pull_state::synced);
   }
-  if (const auto* map = std::get_if<store::map_status>(&answer); map != nullptr && stage_ == stage::looking) {
+  if (map != nullptr && stage_ == stage::looking) {
     const bool has_copy = map->mission_id == mission_id_ &&
                           (map->sync == store::sync_state::degraded || map->sync == store::sync_state::cached_fallback);
     return end(d, has_copy ? pull_state::cached_fallback : pull_state::failed);

@@ -7,8 +7,8 @@
 //   await_arming        disarmed      flies the plan      DO_SET_MODE, mission           disarmed in its mission mode
 //   guard               any           neutral             guard_mission to the failsafe  the failsafe has answered
 //   clear_plan          disarmed      neutral             upload_plan without items      the vehicle has accepted it
-//   upload_plan *       any           neutral, moves (4)  upload_plan                    task_uploads.cpp
-//   set_current_item *  any           neutral, flies (4)  set_current_item               MISSION_CURRENT shows it (5)
+//   upload_plan *       any (7)       neutral, moves (4)  upload_plan                    task_uploads.cpp
+//   set_current_item *  any (7)       neutral, flies (4)  set_current_item               MISSION_CURRENT shows it (5)
 //   restore_home        any           neutral             DO_SET_HOME with a place       the vehicle has accepted it
 //   confirm_home        any           neutral             REQUEST_MESSAGE HOME_POSITION  it has the mission's home
 //   reset_home          any           neutral             DO_SET_HOME where it stands    the vehicle has accepted it
@@ -21,6 +21,7 @@
 //   3  unless the step says otherwise            "holds" for a task that goes on out of it
 //   5  or the answer, in the mission mode     4  of an armed vehicle in its mission mode
 //   6  in its old mode; a hold at the latest after heard_just_now_ns
+//   7  on the ground; in a flight armed
 //
 // The limits follow from the effect and the task:
 //
